@@ -63,9 +63,9 @@ faces      int (M,): for each triangle, the index (from 0) of the face to which 
 Options: resolution=128 (cells along the longest side) or cell=None (mm); components='consistent'
 ('dc', 'dmc', 'equivalence', 'greedy'); backend='auto' ('cpu', 'gpu'); keep_cavities=False; cull=True;
 tolerance=0.0 (mm, simplification); offset=0.0 (mm); conservative=False; position_filter=0.0 (mm);
-chord=0.02 (cells); weld=1e-6 (fraction of the box diagonal); sources=False (True: record in
-Result.sources what made each triangle; not allowed with an offset or with conservative); threads=None;
-memory_limit_mb=None.
+chord_tolerance=None (mm; None: 0.02 of a cell); weld_tolerance=None (mm; None: 1e-6 of the box
+diagonal); sources=False (True: record in Result.sources what made each triangle; not allowed with an
+offset or with conservative); threads=None; memory_limit_mb=None.
 
 Raises a subclass of Error, with .status, .code and .report: InvalidInput, ResourceLimit, OutOfMemory,
 Cancelled, DeviceUnavailable, DeviceLost, InternalError. Raises ValueError if an array has a wrong shape,
@@ -82,8 +82,8 @@ constexpr const char* kPreviewSessionDoc =
     R"(PreviewSession(vertices, triangles, faces=None, **options)
 
 Computes quick, coarse envelopes of one body while its motion is edited. The session checks the body once
-and keeps the result for all calls. The options are those of compute() and hold for all calls, but chord is
-at least 0.1, and tolerance is ignored.)";
+and keeps the result for all calls. The options are those of compute() and hold for all calls, but the
+chord tolerance is at least 0.1 of a cell, and tolerance is ignored.)";
 
 constexpr const char* kPreviewDoc =
     R"(compute(motion, interpolation='linear', run=None, sketch=False) -> Result

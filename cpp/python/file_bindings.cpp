@@ -122,8 +122,8 @@ std::shared_ptr<const SolidOrigin> originFromObject(const py::object& given) {
   return std::make_shared<const SolidOrigin>(std::move(origin));
 }
 
-StepOptions solidOptions(const py::dict& keywords) {
-  StepOptions options;
+SolidOptions solidOptions(const py::dict& keywords) {
+  SolidOptions options;
   for (const auto& [key, value] : keywords) {
     const std::string name = py::cast<std::string>(key);
     if (name == "merge_coplanar") {
@@ -164,8 +164,8 @@ StepOptions solidOptions(const py::dict& keywords) {
 
 /// Writes a solid. The `reader` of the caller checks the written file or, if `reader` is None, the
 /// OpenCASCADE of this module does.
-StepReport writeWith(const py::object& reader, const TriMesh& mesh, const std::string& name,
-                     const StepOptions& options, RunContext& run) {
+WrittenSolid writeWith(const py::object& reader, const TriMesh& mesh, const std::string& name,
+                       const SolidOptions& options, RunContext& run) {
   if (!reader.is_none()) {
     PythonStepReader checker(py::cast<py::function>(reader));
     return runWithoutLock(run, [&] { return writeSolid(mesh, name, options, checker, run); });
@@ -180,8 +180,8 @@ py::object pyWriteSolid(const py::object& path, const py::object& vertices,
   const std::string name = pathFromObject(path);
   if (noClobber) requireAbsent("the file", name);
   const TriMesh mesh = meshFromArrays(vertices, triangles);
-  const StepOptions options = solidOptions(keywords);
-  const StepReport report = writeWith(reader, mesh, name, options, *context);
+  const SolidOptions options = solidOptions(keywords);
+  const WrittenSolid report = writeWith(reader, mesh, name, options, *context);
   py::object result = parseJson(toJson(report));
   result["warnings"] = findingsToList(report.warnings);
   return result;
@@ -192,7 +192,7 @@ py::dict pyEstimateSolid(const py::object& vertices, const py::object& triangles
                          const py::kwargs& keywords) {
   const RunPointer context = runFromObject(run);
   const TriMesh mesh = meshFromArrays(vertices, triangles);
-  const StepOptions options = solidOptions(keywords);
+  const SolidOptions options = solidOptions(keywords);
   const SolidFormat kind = solidFormatOf("solid." + format);
   const SolidEstimate found = runWithoutLock(*context, [&] {
     return quick ? guessSolid(mesh, options, kind, *context)

@@ -103,10 +103,10 @@ void setOption(const std::string& name, const py::handle& value, Options& option
     options.conservative = castOption<bool>(name, value);
   else if (name == "position_filter")
     options.positionFilter = castOption<double>(name, value);
-  else if (name == "chord")
-    options.chordTolerance = castOption<double>(name, value);
-  else if (name == "weld")
-    options.weldTolerance = castOption<double>(name, value);
+  else if (name == "chord_tolerance")
+    options.chordTolerance = castOption<std::optional<double>>(name, value);
+  else if (name == "weld_tolerance")
+    options.weldTolerance = castOption<std::optional<double>>(name, value);
   else if (name == "sources")
     options.sources = castOption<bool>(name, value);
   else if (name == "threads")
@@ -204,7 +204,7 @@ py::dict optionsOfAccuracy(double accuracy) {
   py::dict found;
   found["cell"] = options.cellSize;
   found["tolerance"] = options.tolerance;
-  found["chord"] = options.chordTolerance;
+  found["chord_tolerance"] = options.chordTolerance;
   return found;
 }
 
@@ -296,7 +296,7 @@ void bindFunctions(py::module_& module) {
   module.def(
       "options_of_accuracy", &optionsOfAccuracy, py::arg("accuracy"),
       "options_of_accuracy(accuracy: float) -> dict\n\nReturns the options of compute() that "
-      "an accuracy (mm) stands for: cell (mm), tolerance (mm) and chord (cells). Raises "
+      "an accuracy (mm) stands for: cell (mm), tolerance (mm) and chord_tolerance (mm). Raises "
       "InvalidInput unless it is above 0.");
   module.def("check_mesh", &pyCheckMesh, kCheckMeshDoc, py::arg("vertices"), py::arg("triangles"),
              py::arg("run") = py::none());

@@ -138,10 +138,10 @@ class Result:
 
 def _given(**options: Any) -> Dict[str, Any]:
     """Returns the options that the caller has set. Raises an error for resolution with cell, and for
-    accuracy with resolution, cell, tolerance or chord, as the program does."""
+    accuracy with resolution, cell, tolerance or chord_tolerance, as the program does."""
     refuse_both(options.get("resolution"), options.get("cell"))
     if options.get("accuracy") is not None:
-        for name in ("resolution", "cell", "tolerance", "chord"):
+        for name in ("resolution", "cell", "tolerance", "chord_tolerance"):
             if options.get(name):
                 raise bad_option(f"accuracy and {name} exclude one another; give one of them")
         options.pop("tolerance", None)
@@ -171,8 +171,8 @@ def compute(
     backend: str = "auto",
     cull: bool = True,
     position_filter: float = 0.0,
-    chord: Optional[float] = None,
-    weld: Optional[float] = None,
+    chord_tolerance: Optional[float] = None,
+    weld_tolerance: Optional[float] = None,
     sources: bool = False,
     threads: Optional[int] = None,
     memory_limit_mb: Optional[float] = None,
@@ -182,7 +182,8 @@ def compute(
 
     interpolation   between two poses: none, linear or screw; default: that of the motion
     accuracy        mm: how far the surface may lie from the exact one (accuracy_bound in the report).
-                    Determines cell, tolerance and chord, so neither these nor resolution may be given
+                    Determines cell, tolerance and chord_tolerance, so neither these nor resolution may
+                    be given
     resolution      cells along the longest side of the grid (default 128); or give cell
     cell            size of a cell, mm
     tolerance       mm, how far simplification may move the surface
@@ -193,8 +194,10 @@ def compute(
     backend         auto, cpu or gpu
     cull            leave out faces that are provably enclosed
     position_filter mm; skips a pose if no point of the body has moved farther since the last pose used
-    chord           cells; largest deviation of the computed motion from the exact one (default 0.02)
-    weld            fraction of the box diagonal; joins closer vertices along open edges (default 1e-6)
+    chord_tolerance mm, largest deviation of the computed motion from the exact one, up to the size of a
+                    cell (default: 0.02 of a cell)
+    weld_tolerance  mm, joins closer vertices along open edges (default: 1e-6 of the diagonal of the
+                    body's bounding box; at most a hundredth of it)
     sources         record what made each triangle (Result.sources); not with offset or conservative
     threads         None: all cores
     memory_limit_mb None: three quarters of the free memory
@@ -215,8 +218,8 @@ def compute(
         backend=backend,
         cull=cull,
         position_filter=position_filter,
-        chord=chord,
-        weld=weld,
+        chord_tolerance=chord_tolerance,
+        weld_tolerance=weld_tolerance,
         sources=sources,
         threads=threads,
         memory_limit_mb=memory_limit_mb,

@@ -138,7 +138,7 @@ _OPTIONS: Dict[str, Dict[str, Check]] = {
         "conservative": _YES_NO,
         "keep_cavities": _YES_NO,
         "position_filter": _NUMBER,
-        "chord": _ABOVE,
+        "chord_tolerance": _ABOVE,
     },
     "solid": {
         "format": _one_of("step", "brep"),
@@ -229,9 +229,9 @@ def _checked(table: Table, where: str, problems: _Problems) -> Dict[str, Any]:
 
 #: Options of an envelope that exclude each other.
 _EXCLUDES = {
-    "accuracy": {"cell", "chord", "resolution", "tolerance"},
+    "accuracy": {"cell", "chord_tolerance", "resolution", "tolerance"},
     "cell": {"accuracy", "resolution"},
-    "chord": {"accuracy"},
+    "chord_tolerance": {"accuracy"},
     "resolution": {"accuracy", "cell"},
     "tolerance": {"accuracy"},
 }

@@ -100,5 +100,5 @@ except ImportError:
 else:
     failures = install_of_1(addon, packages)
 report = {"packages": packages, "failures": failures, "user": App.getUserAppDataDir()}
-print("\ntold:" + json.dumps(report), flush=True)
+print("\nreport:" + json.dumps(report), flush=True)
 os._exit(0)

@@ -28,9 +28,9 @@ path.Times = [0.0, 1.0]
 doc.recompute()
 hull = envelope.make_envelope(doc, [box], path, Resolution=32)
 envelope.compute(hull)
-told = {"core": core.module().__file__, "workbench": core.__file__, "volume": hull.Mesh.Volume}
-told["numpy"] = numpy.__file__
-print("\\ntold:" + json.dumps(told), flush=True)
+report = {"core": core.module().__file__, "workbench": core.__file__, "volume": hull.Mesh.Volume}
+report["numpy"] = numpy.__file__
+print("\\nreport:" + json.dumps(report), flush=True)
 os._exit(0)
 """
 
@@ -38,7 +38,7 @@ os._exit(0)
 FOLDER = """
 import json, os
 import FreeCAD as App
-print("\\ntold:" + json.dumps(App.getUserAppDataDir()), flush=True)
+print("\\nreport:" + json.dumps(App.getUserAppDataDir()), flush=True)
 os._exit(0)
 """
 INSTALL = """
@@ -49,7 +49,7 @@ run = core_install.Installation()
 run.run()
 assert not run.problem, run.problem
 assert core.available() and not run.restart
-print("\\ntold:" + json.dumps(core_install.target()), flush=True)
+print("\\nreport:" + json.dumps(core_install.target()), flush=True)
 os._exit(0)
 """
 
@@ -110,7 +110,7 @@ def report_of(freecad, script, environment):
         errors="replace",
         timeout=600,
     )
-    lines = [line[5:] for line in done.stdout.splitlines() if line.startswith("told:")]
+    lines = [line[7:] for line in done.stdout.splitlines() if line.startswith("report:")]
     assert lines, done.stdout[-3000:] + done.stderr[-3000:]
     return json.loads(lines[-1])
 

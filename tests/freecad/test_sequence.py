@@ -76,7 +76,7 @@ class Sequences(Case):
         self.assertNotEqual(report["steps"][1]["verdict"], "found")
         self.assertEqual((len(self.doc.Objects), self.doc.UndoCount), (known, undo))
         self.assertIn("1 of 2", sequence.summary(report))
-        self.assertIn('"Lower"', sequence.told(report))
+        self.assertIn('"Lower"', sequence.description(report))
 
     def test_a_motion_of_ones_own_is_kept(self):
         path = motion.motion_from_poses(

@@ -46,7 +46,7 @@ class States(Table):
             for time in (0.0, plan.steps[0]["end"], plan.steps[-1]["end"]):
                 for _, course in plan.seen():
                     places.append([round(x, 4) + 0.0 for x in course(time).Base])
-        text = sequence.told(sequence.report_of(obj))
+        text = sequence.description(sequence.report_of(obj))
         return super().content(obj) + [obj.Summary, text, places]
 
     def test_nothing_changes_nothing(self):
@@ -71,7 +71,9 @@ class States(Table):
         self.assertEqual((obj.Status, sequence.Plan.of(obj).steps), (STALE, []))
         sequence.compute(obj)
         self.doc.Upper.Label = "Cover"
-        self.assertIn('blocked by "Cover" after 5.5 mm', sequence.told(sequence.report_of(obj)))
+        self.assertIn(
+            'blocked by "Cover" after 5.5 mm', sequence.description(sequence.report_of(obj))
+        )
 
     def test_saved_and_opened(self):
         before = self.content(self.doc.Sequence)

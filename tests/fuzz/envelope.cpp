@@ -32,7 +32,7 @@ Options options(ByteSource& bytes) {
   options.conservative = bytes.chance(16);
   if (bytes.chance(16)) options.positionFilter = bytes.number() / 4;
   if (bytes.chance(16)) options.chordTolerance = bytes.number();
-  if (bytes.chance(16)) options.weldTolerance = bytes.number() / 800;
+  if (bytes.chance(16)) options.weldTolerance = bytes.number() / 8;
   return options;
 }
 
@@ -41,7 +41,7 @@ void show(const TriMesh& mesh, const Trajectory& motion, const Options& o) {
               o.resolution, o.cellSize.value_or(0), componentMethodName(o.components), o.tolerance,
               o.keepCavities, o.cull, o.offset);
   std::printf("conservative %d filter %g chord %g weld %g\n", o.conservative, o.positionFilter,
-              o.chordTolerance, o.weldTolerance);
+              o.chordTolerance.value_or(-1), o.weldTolerance.value_or(-1));
   fuzz::show(motion);
   fuzz::show(mesh);
 }

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::int64_t kMaxFaces = 400;  // under a fuzzer, the kernel takes milliseconds a face
 
-StepOptions stepOptions(ByteSource& bytes) {
-  StepOptions options;
+SolidOptions stepOptions(ByteSource& bytes) {
+  SolidOptions options;
   options.maxFaces = bytes.chance(16) ? bytes.byte() - 3 : kMaxFaces;
   options.mergeCoplanar = bytes.chance(230);
   if (bytes.chance(128)) options.tolerance = std::abs(bytes.number()) / 16;
@@ -47,7 +47,7 @@ TriMesh surface(ByteSource& bytes, RunContext& run) {
   return result.report.status == Status::Ok ? result.mesh : mesh;
 }
 
-void requireSolid(const StepReport& report, const StepOptions& options,
+void requireSolid(const WrittenSolid& report, const SolidOptions& options,
                   const test::TemporaryFolder& folder) {
   const auto require = [&](bool holds, const char* what) {
     if (!holds) throw BrokenPromise(what);
@@ -67,7 +67,7 @@ void requireSolid(const StepReport& report, const StepOptions& options,
 
 void solid(const std::uint8_t* data, std::size_t size) {
   ByteSource bytes(data, size);
-  StepOptions chosen = stepOptions(bytes);
+  SolidOptions chosen = stepOptions(bytes);
   const bool brep = bytes.chance(64);
   RunContext run, exporting;
   limit(run);
@@ -76,7 +76,7 @@ void solid(const std::uint8_t* data, std::size_t size) {
   const TriMesh mesh = surface(bytes, run);
   const test::TemporaryFolder folder;
   try {
-    const StepReport report =
+    const WrittenSolid report =
         writeSolid(mesh, folder.file(brep ? "a.brep" : "a.step"), chosen, exporting);
     if (chosen.schema != StepSchema::Ap242Tessellated) requireSolid(report, chosen, folder);
   } catch (const Error& error) {

@@ -48,7 +48,7 @@ def test_a_finer_accuracy_is_nearer(box):
 
 
 @pytest.mark.parametrize(
-    "other", [{"resolution": 64}, {"cell": 1}, {"tolerance": 1}, {"chord": 0.1}]
+    "other", [{"resolution": 64}, {"cell": 1}, {"tolerance": 1}, {"chord_tolerance": 0.1}]
 )
 def test_python_refuses_what_the_accuracy_chooses(box, other):
     with pytest.raises(sv.InvalidInput, match="exclude one another"):
@@ -72,8 +72,8 @@ def test_program(report_of, inputs):  # noqa: F811
 
 
 def test_program_refuses_what_the_accuracy_chooses(call, inputs):  # noqa: F811
-    for other in (["--resolution", 64], ["--cell", 1], ["--tolerance", 1], ["--chord", 0.1]):
-        done = call(*envelope(inputs, "o.ply", "--accuracy", 1, *other))
+    for other in ("--resolution", "--cell", "--tolerance", "--chord-tolerance"):
+        done = call(*envelope(inputs, "o.ply", "--accuracy", 1, other, 64))
         assert done.returncode == 2 and "--accuracy" in done.stderr
     done = call(*envelope(inputs, "o.ply", "--accuracy", 0))
     assert done.returncode == 2 and "above 0" in done.stderr

@@ -69,7 +69,7 @@ def test_help_and_version(call):
     for option in (
         "--motion --motion-unit --body-unit --interpolation --resolution --cell --threads "
         "--memory-limit --backend --components --output --tolerance --keep-cavities --offset "
-        "--conservative --no-cull --chord --position-filter"
+        "--conservative --no-cull --chord-tolerance --position-filter"
     ).split():
         assert option + " " in text or option + "\n" in text, option
     assert call("-V").stdout == f"swept {_swept.__version__}\n"

@@ -266,7 +266,7 @@ def test_solids_simplified_unasked_say_so(call, inputs, program):  # noqa: F811
 def test_the_chord_is_kept_or_a_finding_and_strict_a_failure(call, inputs):  # noqa: F811
     """Sweeps a serrated cone of many long triangles that turns fast: its edges need many placements,
     which take memory. It cannot be thinned."""
-    count = 5000
+    count, chord = 5000, 0.06  # chord in mm, much less than a cell
     angles = np.linspace(0, 2 * np.pi, count, endpoint=False)
     first = np.arange(count)
     radii = 100 - first % 2
@@ -278,20 +278,20 @@ def test_the_chord_is_kept_or_a_finding_and_strict_a_failure(call, inputs):  # n
     _swept.write_mesh(inputs / "box.ply", points, np.concatenate([sides, base]))
     rows = [f"{i},0,0,0,{np.sin(i / 2)},0,0,{np.cos(i / 2)}" for i in range(3)]
     (inputs / "slide.csv").write_text("\n".join(rows) + "\n")
-    words = envelope(inputs, "o.ply", "--resolution", 16, "--chord", "0.005")
+    words = envelope(inputs, "o.ply", "--resolution", 16, "--chord-tolerance", chord)
 
     def report():
         return json.loads((inputs / "r.json").read_text())
 
     done = call(*words, "--strict", "--report", inputs / "r.json")
     assert done.returncode == 0, done.stderr
-    assert 0 < report()["chord_error"] <= 0.005 * report()["cell"] * (1 + 1e-6)
+    assert 0 < report()["chord_error"] <= chord * (1 + 1e-6)
     (inputs / "o.ply").unlink()
     little = [*words, "--memory-limit", 64]
     done = call(*little, "--strict", "--report", inputs / "r.json")
     assert done.returncode == 1 and "ChordCapped" in done.stderr, done.stderr
     assert report()["code"] == "ChordCapped"
-    assert report()["chord_error"] > 0.005 * report()["cell"]
+    assert report()["chord_error"] > chord
     assert not (inputs / "o.ply").exists()
     done = call(*little, "--quiet")
     assert done.returncode == 0 and "ChordCapped" in done.stderr and done.stdout == ""

@@ -161,7 +161,12 @@ def use(path, copy):
     for obj in doc.Objects:
         kind = base.kind_of(obj)
         if kind == motion.Motion.KIND:
-            for action in (motion.poses_of, motion.reload_source, motion.words, motion.look):
+            for action in (
+                motion.poses_of,
+                motion.reload_source,
+                motion.words,
+                motion.refresh_status,
+            ):
                 ends["motion " + tried(action, obj)[1]] += 1
         elif kind == envelope.Envelope.KIND:
             before = obj.Mesh.CountFacets

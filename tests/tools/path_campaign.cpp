@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
     PathOptions options = test::optionsOf(c);
     options.budgetSeconds = argument(3, 10);
     if (argument(6, 0) > 0) options.mostSteps = static_cast<std::int64_t>(argument(6, 0));
-    options.askLess = !options.mostSteps;
+    options.tryLowerClearance = !options.mostSteps;
     const std::clock_t start = std::clock();
     const PathReport report =
         findPath(c.part, test::taskOf(c), test::neighboursOf(c), options, run);

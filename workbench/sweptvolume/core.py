@@ -220,7 +220,7 @@ def estimate(request, control=None):
 
 
 def options_of_accuracy(accuracy):
-    """Returns cell (mm), tolerance (mm) and chord (cells) of runs with this accuracy (mm). Raises
+    """Returns cell (mm), tolerance (mm) and chord_tolerance (mm) of runs with this accuracy (mm). Raises
     CoreError."""
     with errors():
         return module().options_of_accuracy(accuracy)

@@ -54,7 +54,7 @@ def build():
     starter.Placement = placements[-1]
     document.recompute()
     document.commitTransaction()
-    look(document)
+    set_view(document)
     return Demo(document, starter, path)
 
 
@@ -74,7 +74,7 @@ def add_solid(demo):
     return demo.solid
 
 
-def look(document):
+def set_view(document):
     """Sets a view that shows the path and the neighbours."""
     if not App.GuiUp:
         return

@@ -89,7 +89,7 @@ def _steps():
     picture = os.path.join(folder, "starter_envelope.png")
     scene.solid.ViewObject.Visibility = False
     obj.ViewObject.Visibility = True
-    demo.look(scene.document)
+    demo.set_view(scene.document)
     yield
     Gui.getDocument(scene.document.Name).activeView().saveImage(picture, 1600, 1100, "White")
     document = os.path.join(folder, "starter_envelope.FCStd")

@@ -104,7 +104,7 @@ def _compare_later(obj, parts):
         again = document.getObject(name)
         if again is not None:
             with quietly(again):
-                again.Proxy.look(again)
+                again.Proxy.refresh_status(again)
             status.update_users(again)
 
     beside(document, parts, name, compare)

@@ -37,9 +37,9 @@ struct Body {
   std::shared_ptr<const BodyShape> shape{};  ///< faces and edges of a solid; null: a mesh file
 };
 
-/// Tolerance of the triangles as a fraction of the cell. It equals the default of
-/// Options::chordTolerance, so that both errors have the same size.
-constexpr double kTessellationFraction = 0.02;
+/// Tolerance of the triangles as a fraction of the cell. It equals the default of the chord
+/// tolerance, so that both errors have the same size.
+constexpr double kTessellationFraction = kChordFraction;
 
 /// Returns whether a file holds a solid, judged by its suffix (step, stp, brep, brp). If the suffix
 /// is unknown, the first bytes of the file decide.

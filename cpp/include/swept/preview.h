@@ -13,7 +13,7 @@
 
 namespace swept {
 
-/// Smallest chord tolerance of previews, in cells (Options::chordTolerance).
+/// Smallest chord tolerance of previews, as a fraction of a cell.
 constexpr double kPreviewChord = 0.1;
 
 class PreviewSession {

@@ -39,7 +39,7 @@ struct SolidOrigin {
   double chordError = 0;  ///< mm: how far the triangles of the body may deviate from its faces
 };
 
-struct StepOptions {
+struct SolidOptions {
   bool mergeCoplanar = true;      ///< merge each flat region to one planar face with holes
   double planarTolerance = 1e-6;  ///< mm: how far a vertex may lie off the plane of its region
   /// mm. Above 0: the solid may deviate by this from the mesh; surfaces are recognised, and the
@@ -67,7 +67,7 @@ struct StepOptions {
   std::array<double, 3> colour{0.93, 0.78, 0.20};  ///< red, green, blue, 0 to 1
 };
 
-struct StepReport {
+struct WrittenSolid {
   std::int64_t faces = 0;
   std::int64_t edges = 0;
   std::int64_t solids = 0;
@@ -89,7 +89,7 @@ struct StepReport {
 };
 /// Returns the key "solid" of a report as JSON text, without the warnings
 /// (docs/report.schema.json).
-std::string toJson(const StepReport& report);
+std::string toJson(const WrittenSolid& report);
 
 enum class SolidFormat { Step, Brep };
 /// Returns the format for a suffix: .step/.stp or .brep/.brp. Throws Error(ExportFailed,
@@ -105,7 +105,7 @@ struct SolidEstimate {
   double trialSeconds = 0;  ///< the part of `seconds` already spent in the trial
   /// mm, only after a trial: the given tolerance, or the one that the limits require.
   double tolerance = 0;
-  double deviation = 0;  ///< mm, only after a trial: as in StepReport
+  double deviation = 0;  ///< mm, only after a trial: as in WrittenSolid
   bool tried = false;    ///< true: the figures come from a trial; false: `faces` is an upper bound
 };
 /// Returns the key "estimate" of a report as JSON text (docs/report.schema.json).
@@ -114,22 +114,22 @@ std::string toJson(const SolidEstimate& estimate);
 /// Estimates from the mesh alone. All figures are upper bounds, far too large if surfaces can be
 /// recognised. Cost: some microseconds for each triangle. Throws Error(ExportFailed) if no solid
 /// can be made from the mesh at all.
-SolidEstimate guessSolid(const TriMesh& mesh, const StepOptions& options, SolidFormat format,
+SolidEstimate guessSolid(const TriMesh& mesh, const SolidOptions& options, SolidFormat format,
                          RunContext& run);
 
 /// Estimates by a trial: builds and writes the solid, but makes no file. Faces and bytes are those
 /// of writeSolid; the duration of its remaining steps is estimated. Cost: as writeSolid without
 /// reading back. Throws what writeSolid throws before it reads back: Error(ExportFailed,
 /// "TooManyFaces", ...), Error(Cancelled).
-SolidEstimate trySolid(const TriMesh& mesh, const StepOptions& options, SolidFormat format,
+SolidEstimate trySolid(const TriMesh& mesh, const SolidOptions& options, SolidFormat format,
                        RunContext& run);
 
 /// Writes a solid; the suffix gives the format: .step/.stp or .brep/.brp. The file is written
 /// beside the target, read back, checked (one solid for each outer shell, valid, same volume) and
 /// then renamed. After a failure the old file is unchanged and no new file remains. Throws
 /// Error(ExportFailed, ...), Error(Cancelled).
-StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
-                      RunContext& run);
+WrittenSolid writeSolid(const TriMesh& mesh, const std::string& path, const SolidOptions& options,
+                        RunContext& run);
 
 /// Result of the kernel's check of a STEP or BREP file.
 struct SolidCheck {
@@ -158,8 +158,8 @@ class StepReader {
 /// Does the same as the function above, but uses `reader` instead of a geometry kernel. STEP files
 /// only. The file is the same as with a kernel, except if the kernel would find intersecting faces
 /// or edges that do not lie on their faces. `reader` cannot find these.
-StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
-                      StepReader& reader, RunContext& run);
+WrittenSolid writeSolid(const TriMesh& mesh, const std::string& path, const SolidOptions& options,
+                        StepReader& reader, RunContext& run);
 
 struct ImportedSolid {
   /// The name of its product. If all solids have the same product name (also if there is only one

@@ -79,6 +79,10 @@ enum class ComponentMethod { DualContouring, DualMarchingCubes, Equivalence, Gre
 
 enum class Backend { Auto, Cpu, Gpu };
 
+/// The chord tolerance as a fraction of the cell, and the weld tolerance as a fraction of the
+/// diagonal of the body's bounding box, where the options give none.
+constexpr double kChordFraction = 0.02, kWeldFraction = 1e-6;
+
 /// Settings of one run.
 struct Options {
   int resolution = 128;  ///< cells along the longest side of the sweep; used if cellSize is not set
@@ -92,9 +96,12 @@ struct Options {
   bool conservative = false;  ///< the envelope provably contains the swept volume
   /// mm; skip poses while no point of the body moves farther than this; 0: use all poses.
   double positionFilter = 0;
-  double chordTolerance =
-      0.02;  ///< in cells: how far the true path of a point may deviate from its chord
-  double weldTolerance = 1e-6;  ///< as a fraction of the diagonal of the body's bounding box
+  /// mm: how far the true path of a point may deviate from its chord; above 0 up to the size of a
+  /// cell. Not set: kChordFraction of a cell.
+  std::optional<double> chordTolerance;
+  /// mm: vertices on open edges that are closer than this are joined; 0 up to a hundredth of the
+  /// diagonal of the body's bounding box. Not set: kWeldFraction of this diagonal.
+  std::optional<double> weldTolerance;
   /// Record what made each triangle (sources.h). Not allowed with an offset or with `conservative`.
   bool sources = false;
 };

@@ -30,7 +30,7 @@ void setAccuracy(Options& options, double accuracy) {
   }
   options.cellSize = kCell * accuracy;
   options.tolerance = kTolerance * accuracy;
-  options.chordTolerance = kChordCells;
+  options.chordTolerance = kChordCells * *options.cellSize;
 }
 
 std::optional<double> accuracyBound(const Report& report) {

@@ -42,7 +42,7 @@ SelfIntersections findNearPairs(const TriMesh& mesh, const std::vector<std::int3
         const BoxTree::Bounds box = boxOf(other);
         for (const auto& [member, ofMember] : near) {
           if (member == other || (isMember[other] != 0 && member > other)) continue;
-          if (!box.intersects(ofMember) || !meetWrongly(mesh, member, other)) continue;
+          if (!box.intersects(ofMember) || !trianglesIntersectFast(mesh, member, other)) continue;
           parts[begin / kBlock].emplace_back(std::minmax(member, other));
         }
       }

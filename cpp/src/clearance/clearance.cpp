@@ -121,7 +121,7 @@ void runCheck(ClearanceReport& report, const TriMesh& body, const Trajectory& tr
     const Part still = closedPart(part.mesh, "neighbour '" + part.name + "'", run, neighbourMended);
     const CheckedPair pair{moving, mended, still, neighbourMended};
     NeighbourClearance& row = report.neighbours[i];
-    row = checkPair(pair, {part.name, part.chordError, askedOf(part.rule, options.required)},
+    row = checkPair(pair, {part.name, part.chordError, ruleFor(part.rule, options.required)},
                     motion, options, run);
     row.pose = backFromPivot(row.pose, pivot);
     row.penetration.pose = backFromPivot(row.penetration.pose, pivot);

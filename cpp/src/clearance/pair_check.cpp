@@ -132,7 +132,7 @@ Part closedPart(const TriMesh& mesh, const std::string& who, RunContext& run, bo
   }
 }
 
-NeighbourRule askedOf(const NeighbourRule& own, double commonRequired) {
+NeighbourRule ruleFor(const NeighbourRule& own, double commonRequired) {
   if (own.contact) return {{}, own.contact};
   return {own.required.value_or(commonRequired)};
 }

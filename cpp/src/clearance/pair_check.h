@@ -34,11 +34,11 @@ struct CheckedPair {
 struct CheckedNeighbour {
   std::string name;
   double chordError = 0;  ///< mm; the chord error of the body is in the options
-  NeighbourRule rule;     ///< the result of askedOf()
+  NeighbourRule rule;     ///< the result of ruleFor()
 };
 
 /// Returns the rule for a neighbour: its own, or without one the common required distance.
-NeighbourRule askedOf(const NeighbourRule& own, double commonRequired);
+NeighbourRule ruleFor(const NeighbourRule& own, double commonRequired);
 
 /// Computes the row of one neighbour. Throws Error(Cancelled).
 NeighbourClearance checkPair(const CheckedPair& parts, const CheckedNeighbour& neighbour,

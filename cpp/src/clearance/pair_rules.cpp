@@ -40,7 +40,7 @@ PairRules::PairRules(const std::vector<std::string>& names, const MechanismOptio
 NeighbourRule PairRules::of(PartPair pair) const {
   const auto found = own_.find(pair);
   const NeighbourRule own = found == own_.end() ? NeighbourRule{} : found->second;
-  return own.ignored ? own : askedOf(own, required_);
+  return own.ignored ? own : ruleFor(own, required_);
 }
 
 double PairRules::largestRequired() const {

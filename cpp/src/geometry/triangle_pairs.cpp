@@ -168,8 +168,9 @@ bool trianglesIntersect(const std::vector<Eigen::Vector3d>& vertices,
   return trianglesMeet({&at(a[0]), &at(a[1]), &at(a[2])}, {&at(b[0]), &at(b[1]), &at(b[2])});
 }
 
-bool meetWrongly(const std::vector<Eigen::Vector3d>& vertices, const std::array<std::int32_t, 3>& p,
-                 const std::array<std::int32_t, 3>& q) {
+bool trianglesIntersectFast(const std::vector<Eigen::Vector3d>& vertices,
+                            const std::array<std::int32_t, 3>& p,
+                            const std::array<std::int32_t, 3>& q) {
   return !certainlyApart(vertices, p, q) && !hasNoArea(vertices, p) && !hasNoArea(vertices, q) &&
          trianglesIntersect(vertices, p, q);
 }

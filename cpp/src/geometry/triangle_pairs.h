@@ -37,10 +37,11 @@ inline bool trianglesIntersect(const TriMesh& mesh, std::int64_t first, std::int
 
 /// Does the same as trianglesIntersect(), but makes cheap tests first. Returns false if a triangle
 /// has no area.
-bool meetWrongly(const std::vector<Eigen::Vector3d>& vertices, const std::array<std::int32_t, 3>& p,
-                 const std::array<std::int32_t, 3>& q);
-inline bool meetWrongly(const TriMesh& mesh, std::int32_t first, std::int32_t second) {
-  return meetWrongly(mesh.vertices, mesh.triangles[first], mesh.triangles[second]);
+bool trianglesIntersectFast(const std::vector<Eigen::Vector3d>& vertices,
+                            const std::array<std::int32_t, 3>& p,
+                            const std::array<std::int32_t, 3>& q);
+inline bool trianglesIntersectFast(const TriMesh& mesh, std::int32_t first, std::int32_t second) {
+  return trianglesIntersectFast(mesh.vertices, mesh.triangles[first], mesh.triangles[second]);
 }
 
 }  // namespace swept

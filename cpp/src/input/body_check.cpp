@@ -11,6 +11,7 @@
 #include "geometry/mesh_numbers.h"
 #include "input/body_orientation.h"
 #include "input/body_weld.h"
+#include "input/trajectory_check.h"
 
 namespace swept {
 namespace {
@@ -195,7 +196,7 @@ CheckedBody checkBody(const TriMesh& body, const Options& options, RunContext& r
       counted(joined, "vertex", "vertices") + " had the same coordinates as another vertex and " +
           (joined == 1 ? "was" : "were") + " joined with it (number of vertices before: " + before +
           ", after: " + std::to_string(result.mesh.vertices.size()) + ")");
-  weldOpenEdges(result, table, edges, cleaned, options.weldTolerance * boxDiagonal(result.mesh),
+  weldOpenEdges(result, table, edges, cleaned, weldTolerance(options, boxDiagonal(result.mesh)),
                 keepSheets);
   reportCleaning(result, cleaned);
   run.checkpoint(Phase::Input);

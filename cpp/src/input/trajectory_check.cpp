@@ -83,7 +83,7 @@ bool samePlacement(const Pose& a, const Pose& b) {
   return p == q || p == -q;
 }
 
-[[noreturn]] void badOption(const char* name, double value, const char* allowed) {
+[[noreturn]] void badOption(const char* name, double value, const std::string& allowed) {
   throw Error(Status::InvalidInput, "BadOption",
               std::string("option ") + name + " = " + numberText(value, kTellingDigits) +
                   "; allowed: " + allowed);
@@ -171,14 +171,33 @@ void checkOptions(const Options& options) {
   requireLength("tolerance", options.tolerance);
   requireLength("offset", options.offset);
   requireLength("positionFilter", options.positionFilter);
-  if (!(options.chordTolerance > 0 && options.chordTolerance <= 1)) {
-    badOption("chordTolerance", options.chordTolerance,
-              "above 0 up to 1 (as a fraction of the cell size)");
+  if (options.chordTolerance && !(*options.chordTolerance > 0)) {
+    badOption("chordTolerance", *options.chordTolerance, "above 0 mm up to the size of a cell");
   }
-  if (!(options.weldTolerance >= 0 && options.weldTolerance <= 0.01)) {
-    badOption("weldTolerance", options.weldTolerance,
-              "0 to 0.01 (as a fraction of the diagonal of the part's bounding box)");
+  if (options.weldTolerance && !(*options.weldTolerance >= 0)) {
+    badOption("weldTolerance", *options.weldTolerance,
+              "0 mm up to a hundredth of the diagonal of the part's bounding box");
   }
+}
+
+double chordTolerance(const Options& options, double cell) {
+  if (options.chordTolerance && *options.chordTolerance > cell) {
+    badOption("chordTolerance", *options.chordTolerance,
+              textOf(kTellingDigits, "above 0 mm up to the size of a cell (", cell, " mm)"));
+  }
+  return options.chordTolerance.value_or(kChordFraction * cell);
+}
+
+double weldTolerance(const Options& options, double diagonal) {
+  constexpr double kMaxFraction = 0.01;
+  if (options.weldTolerance && *options.weldTolerance > kMaxFraction * diagonal) {
+    badOption("weldTolerance", *options.weldTolerance,
+              textOf(kTellingDigits,
+                     "0 mm up to a hundredth of the diagonal of the part's bounding "
+                     "box (",
+                     kMaxFraction * diagonal, " mm)"));
+  }
+  return options.weldTolerance.value_or(kWeldFraction * diagonal);
 }
 
 }  // namespace swept

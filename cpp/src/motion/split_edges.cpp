@@ -144,8 +144,9 @@ class Midpoints {
 
 }  // namespace
 
-Following planFollowing(const TriMesh& body, const Trajectory& trajectory, double chord,
-                        double cell, double mostCopies, bool maySplit, RunContext& run) {
+MotionApproximation planApproximation(const TriMesh& body, const Trajectory& trajectory,
+                                      double chord, double cell, double mostCopies, bool maySplit,
+                                      RunContext& run) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   if (trajectory.interpolation == Interpolation::None || trajectory.poses.size() < 2) {
     return {kNone, chord};

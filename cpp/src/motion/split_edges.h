@@ -16,7 +16,7 @@
 namespace swept {
 
 /// The edge length and the chord with which a motion is approximated.
-struct Following {
+struct MotionApproximation {
   double longestEdge;  ///< mm; edges longer than this are to be split; infinite: none
   double chord;        ///< mm; larger than requested only if there would be too many copies
 };
@@ -25,8 +25,9 @@ struct Following {
 /// until there are few enough copies of triangles. The limit is `mostCopies`, or twice the number
 /// of copies for a chord of one cell if that is more. `maySplit`: false if the body must not be
 /// split.
-Following planFollowing(const TriMesh& body, const Trajectory& trajectory, double chord,
-                        double cell, double mostCopies, bool maySplit, RunContext& run);
+MotionApproximation planApproximation(const TriMesh& body, const Trajectory& trajectory,
+                                      double chord, double cell, double mostCopies, bool maySplit,
+                                      RunContext& run);
 
 /// Halves all edges longer than `longest` (mm) until there are none. Old vertices keep their
 /// indices. The pieces of a triangle belong to the face of that triangle.

@@ -98,7 +98,7 @@ class OverlapCheck {
       options.bodyChordError = parts_[i].chordError;
       report_.pairs[p].clearance = checkPair({first, mended_[i] != 0, second, mended_[j] != 0},
                                              {parts_[i].name + " - " + parts_[j].name,
-                                              parts_[j].chordError, askedOf({}, options.required)},
+                                              parts_[j].chordError, ruleFor({}, options.required)},
                                              motion, options, run_);
       run_.checkpoint(Phase::Motion, ++done, report_.pairs.size());
     });

@@ -146,7 +146,7 @@ class PathFinder {
                     (task_.start || task_.extraction->direction);
     // Part of the time is reserved to find the largest clearance for which there is a path.
     const bool mayReduceClearance =
-        o_.askLess &&
+        o_.tryLowerClearance &&
         *std::max_element(demand_.required.begin(), demand_.required.end()) > 2 * demand_.tolerance;
     Limits limits = limits_;
     limits.seconds = (mayReduceClearance ? 0.75 : 1.0) * o_.budgetSeconds;

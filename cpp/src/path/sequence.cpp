@@ -124,7 +124,7 @@ class Sequencer {
         if (part->final || (round > 0 && part->tried >= round)) continue;
         PathOptions options = o_.path;
         options.budgetSeconds = timeLeft();
-        options.askLess = false;
+        options.tryLowerClearance = false;
         options.mostSteps = moves;
         PathReport path = search(part->part, installed, options, parts_.size() - left.size());
         const bool occupied = path.status != Status::Ok;

@@ -74,7 +74,6 @@ struct PreviewSession::Warm : WarmBody {
 PreviewSession::PreviewSession(const TriMesh& body, const Options& options, RunContext& run) {
   auto warm = std::make_unique<Warm>();
   warm->options = options;
-  warm->options.chordTolerance = std::max(options.chordTolerance, kPreviewChord);
   warm->options.tolerance = 0;
   checkOptions(warm->options);
   warm->setBody(checkBody(body, warm->options, run));

@@ -132,7 +132,7 @@ void EnvelopeRun::describePlan() {
   report_.largestStepTravel = prepared_.motion.largestStepTravel;
   report_.chordError = prepared_.motion.chordError;
   report_.bodyDeviation = prepared_.bodyDeviation;
-  if (!sketch_ && exceedsChord(prepared_.motion, report_.cellSize, options_)) {
+  if (!sketch_ && exceedsChord(prepared_, report_.cellSize, options_)) {
     report_.warnings.push_back(
         {"ChordCapped",
          1,
@@ -140,7 +140,7 @@ void EnvelopeRun::describePlan() {
          "the computed motion deviates from the true one by up to " +
              numberText(report_.chordError, 3) + " mm (" +
              numberText(report_.chordError / report_.cellSize, 2) + " cells) instead of " +
-             numberText(options_.chordTolerance * report_.cellSize, 3) +
+             numberText(allowedChord(prepared_, options_, report_.cellSize), 3) +
              " mm, because more placements between the poses would need too much memory; raise the "
              "memory limit, use a part with fewer triangles, or set a larger chord tolerance"});
   }

@@ -16,7 +16,7 @@ void cutOnce(Result& result, double tolerance, RunContext& run) {
   const Simplifier& kept = *result.kept;
   Report& report = result.report;
   if (tolerance > 0) {
-    Simplified cut = kept.cut(tolerance, run);
+    Simplified cut = kept.simplifyTo(tolerance, run);
     result.mesh = std::move(cut.mesh);
     result.contactTime = std::move(cut.contactTime);
     result.featureEdges = std::move(cut.featureEdges);

@@ -18,6 +18,7 @@
 #include "pipeline/thinned_body.h"
 #include "pipeline/trial_steps.h"
 #include "sampling/dense/dense_sampler.h"
+#include "swept/preview.h"
 
 namespace swept {
 namespace {
@@ -54,13 +55,13 @@ constexpr double kPreviewCopies = 4e6;
 /// edges of a turning body if `maySplit`.
 Motion refined(Prepared& p, const Options& options, double cell, bool maySplit, RunContext& run) {
   const Trajectory& trajectory = p.trajectory.trajectory;
-  const double chord = options.chordTolerance * cell;
+  const double chord = allowedChord(p, options, cell);
   if (!(options.offset > 0 || options.conservative)) {
     const std::uint64_t limit = memoryLimit(run);
     const double maxCopies = limit == 0 ? 1e300 : static_cast<double>(limit) / 2 / kBytesPerCopy;
-    const Following how =
-        planFollowing(p.body.mesh, trajectory, chord, cell,
-                      p.keepRoom ? std::min(maxCopies, kPreviewCopies) : maxCopies, maySplit, run);
+    const MotionApproximation how = planApproximation(
+        p.body.mesh, trajectory, chord, cell,
+        p.keepRoom ? std::min(maxCopies, kPreviewCopies) : maxCopies, maySplit, run);
     if (std::isfinite(how.longestEdge)) p.body.mesh = splitEdges(p.body.mesh, how.longestEdge, run);
     return mergeSteps(refineMotion(p.body.mesh, trajectory, how.chord, run), p.body.mesh, chord,
                       run);
@@ -139,7 +140,7 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
   p.motion = refined(p, options, cell, !p.keepBody, run);
   if (std::optional<TriMesh> thin = thinnedBody(p, given, cell, options, run)) {
     p.body.mesh = std::move(*thin);
-    p.bodyDeviation = bodyThinning(cell, options);
+    p.bodyDeviation = bodyThinning(p, cell, options);
     p.motion = refined(p, options, cell, !p.keepBody, run);
   }
   const Eigen::AlignedBox3d box = grownBox(sweptBox(given, p.motion, run), cell, options);
@@ -148,9 +149,14 @@ void planRun(Prepared& p, const Options& options, RunContext& run) {
   p.grid = planGrid(p.keepRoom ? withRoom(box) : box, bodyBox, fixed);
 }
 
-bool exceedsChord(const Motion& motion, double cell, const Options& options) {
+double allowedChord(const Prepared& p, const Options& options, double cell) {
+  const double chord = chordTolerance(options, cell);
+  return p.keepRoom ? std::max(chord, kPreviewChord * cell) : chord;
+}
+
+bool exceedsChord(const Prepared& p, double cell, const Options& options) {
   constexpr double kRounding = 1 + 1e-6;
-  return motion.chordError > kRounding * options.chordTolerance * cell;
+  return p.motion.chordError > kRounding * allowedChord(p, options, cell);
 }
 
 // Returns the peak memory (bytes) per crossing of the surface: the larger of two phases. Sampling
@@ -194,7 +200,7 @@ Estimate estimateOf(const Prepared& p, const Options& options) {
 std::optional<double> usefulFilterOf(const Prepared& p, const Options& options) {
   constexpr std::size_t kManyPoses = 1000, kMinReduction = 3;
   const std::size_t poses = p.trajectory.trajectory.poses.size();
-  const double distance = options.chordTolerance * p.grid.cell;
+  const double distance = allowedChord(p, options, p.grid.cell);
   if (poses < kManyPoses || options.positionFilter > 0 || options.conservative) return std::nullopt;
   // The time of the dense sampler hardly depends on the number of poses, so a filter saves nothing.
   if (options.backend != Backend::Gpu &&

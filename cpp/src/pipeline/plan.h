@@ -31,7 +31,7 @@ struct Prepared {
   std::size_t givenPoses = 0;         ///< number of poses before the position filter
   double positionFilterDistance = 0;  ///< mm, largest distance of a dropped pose from the last used
   /// Grid of the previous run, used again if the sweep still fits into it and fills most of it.
-  /// With keepRoom, a new grid has a margin for the sweeps of later calls.
+  /// With keepRoom (previews), a new grid has a margin for the sweeps of later calls.
   const GridPlan* lastGrid = nullptr;
   bool keepRoom = false;
   bool keepBody = false;     ///< true: do not split long edges, since the topology is in use
@@ -46,8 +46,11 @@ void prepareTrajectory(Prepared& prepared, const Trajectory& trajectory, const O
 /// Computes motion and grid. Requires prepared.body and prepared.trajectory.
 void planRun(Prepared& prepared, const Options& options, RunContext& run);
 
+/// Returns the chord tolerance (mm) for cells of this size (mm); in previews, it is larger. Throws
+/// Error(InvalidInput, "BadOption") if the chord tolerance of the options is larger than a cell.
+double allowedChord(const Prepared& prepared, const Options& options, double cell);
 /// Returns whether the motion has too few placements for the chord tolerance, to save memory.
-bool exceedsChord(const Motion& motion, double cell, const Options& options);
+bool exceedsChord(const Prepared& prepared, double cell, const Options& options);
 
 Estimate estimateOf(const Prepared& prepared, const Options& options);
 /// Returns the bytes per crossing of the surface at the peak of a run.

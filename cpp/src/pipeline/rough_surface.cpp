@@ -14,11 +14,11 @@
 namespace swept {
 namespace {
 
-/// Bounds of the number of placements of the rough motion. Between them, RoughRoom::faces
+/// Bounds of the number of placements of the rough motion. Between them, RoughLimits::faces
 /// determines the number.
 constexpr std::size_t kMinPoses = 6, kMaxPoses = 192;
 /// A motion of at most this many placements is not thinned if the number of faces of the body times
-/// the number of placements is at most RoughRoom::faces.
+/// the number of placements is at most RoughLimits::faces.
 constexpr std::size_t kMaxWhole = 384;
 /// The grid is at most this many times coarser and has at least this many cells along its longest
 /// side.
@@ -68,7 +68,7 @@ double travelInCells(const SamplerInput& whole, const Motion& motion) {
 
 /// Returns the factor by which the cells must be larger to stay within `room`. Estimates the number
 /// of crossings from a few placements on the coarsest grid.
-std::int32_t coarseningFor(const SamplerInput& whole, const Motion& motion, const RoughRoom& room,
+std::int32_t coarseningFor(const SamplerInput& whole, const Motion& motion, const RoughLimits& room,
                            RunContext& run) {
   const std::int32_t longest =
       *std::max_element(whole.grid.points.begin(), whole.grid.points.end());
@@ -96,15 +96,15 @@ std::int32_t coarseningFor(const SamplerInput& whole, const Motion& motion, cons
 
 }  // namespace
 
-RoughRoom roomBeside(const SamplingCost& sampling, double copies) {
+RoughLimits limitsFor(const SamplingCost& sampling, double copies) {
   constexpr double kPart = 0.05;
-  const RoughRoom least, most{6e6, 2e7, 6e7};
+  const RoughLimits least, most{6e6, 2e7, 6e7};
   return {std::clamp(kPart * copies, least.faces, most.faces),
           std::clamp(kPart * sampling.crossings, least.crossings, most.crossings),
           std::clamp(kPart * copies, least.stripes, most.stripes)};
 }
 
-RoughSurface roughSurface(const SamplerInput& whole, const RoughRoom& room,
+RoughSurface roughSurface(const SamplerInput& whole, const RoughLimits& room,
                           std::optional<MarkedEdges> known, ComponentMethod components,
                           RunContext& run) {
   const double faces = static_cast<double>(whole.body.triangles.size());

@@ -91,11 +91,12 @@ SamplingTrial::Parts SamplingTrial::partsFor(std::size_t count) const {
   const std::size_t most = byClusters() ? mostClusterParts() : 1;
   const std::size_t sampledParts =
       std::clamp<std::size_t>(static_cast<std::size_t>(faces) / kSampledFaces, 1, most);
-  // PlaceGroups would take time to build and change nothing here: the map of the inside hides the
-  // same crossings without them. `none` has no groups, because `plain` has no map of the inside.
+  // PlacementGroups would take time to build and change nothing here: the map of the inside hides
+  // the same crossings without them. `none` has no groups, because `plain` has no map of the
+  // inside.
   SamplerInput plain = input(whole_.motion);
   plain.inside = nullptr;
-  const PlaceGroups none(plain, *whole_.clusters, run_);
+  const PlacementGroups none(plain, *whole_.clusters, run_);
   const std::size_t samples = std::clamp<std::size_t>(count, 1, kSampledPlacements);
   double crossings = 0;
   for (std::size_t n = 0; n < samples; ++n) {
@@ -162,7 +163,7 @@ SamplingCost SamplingTrial::byWindows(std::size_t count, const Parts& parts) con
   const std::size_t windows = std::clamp(parts.steps / 3, kMinWindows, kMaxWindows);
   const std::size_t steps =
       std::clamp<std::size_t>(parts.steps / (3 * windows), 1, std::max<std::size_t>(item / 2, 1));
-  PlaceGroups::Trial some;
+  PlacementGroups::Trial some;
   for (std::size_t w = 0; w < windows; ++w) {
     const std::size_t first = (2 * w + 1) * (count - 2 * steps) / (2 * windows);
     some.only.push_back({first, first + 2 * steps});
@@ -171,7 +172,7 @@ SamplingCost SamplingTrial::byWindows(std::size_t count, const Parts& parts) con
   const double start = threadSeconds();
   SamplerInput grouped = input(whole_.motion);
   grouped.clusterParts = parts.clusterParts;
-  const PlaceGroups groups(grouped, *whole_.clusters, run_, &some);
+  const PlacementGroups groups(grouped, *whole_.clusters, run_, &some);
   const double grouping = threadSeconds() - start + some.secondsOfOthers / fraction;
   const double none = at({0, 0}, 1, &groups).seconds;
   SamplingCost sum;
@@ -214,7 +215,7 @@ SamplerInput SamplingTrial::input(const Motion& motion) const {
 }
 
 SamplingCost SamplingTrial::at(const PlacementRange& only, std::size_t clusterParts,
-                               const PlaceGroups* groups) const {
+                               const PlacementGroups* groups) const {
   SamplerInput part = input(whole_.motion);
   part.only = only;
   part.clusterParts = clusterParts;

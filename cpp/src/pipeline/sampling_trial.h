@@ -19,7 +19,7 @@
 
 namespace swept {
 
-class PlaceGroups;
+class PlacementGroups;
 
 class SamplingTrial {
  public:
@@ -59,7 +59,7 @@ class SamplingTrial {
 
   SamplerInput input(const Motion& motion) const;
   SamplingCost at(const PlacementRange& only, std::size_t clusterParts,
-                  const PlaceGroups* groups = nullptr) const;
+                  const PlacementGroups* groups = nullptr) const;
   SamplingCost of(const SamplerInput& part) const;
 
   const SamplerInput& whole_;

@@ -16,8 +16,8 @@ constexpr double kMinSaved = 0.5;
 
 }  // namespace
 
-double bodyThinning(double cell, const Options& options) {
-  return options.chordTolerance * cell / 2;
+double bodyThinning(const Prepared& prepared, double cell, const Options& options) {
+  return allowedChord(prepared, options, cell) / 2;
 }
 
 std::optional<TriMesh> thinnedBody(const Prepared& prepared, const TriMesh& given, double cell,
@@ -27,12 +27,13 @@ std::optional<TriMesh> thinnedBody(const Prepared& prepared, const TriMesh& give
   const double copies = static_cast<double>(motion.placements.size()) *
                         static_cast<double>(prepared.body.mesh.triangles.size()) /
                         static_cast<double>(given.triangles.size());
-  if (copies < kMinCopiesToThin && !exceedsChord(motion, cell, options)) return {};
+  if (copies < kMinCopiesToThin && !exceedsChord(prepared, cell, options)) return {};
   if (prepared.keepRoom || prepared.keepBody) return {};
   // An orientable body may have edges with four triangles, which thinOut() does not accept.
   if (!prepared.body.orientable || !prepared.body.manifold) return {};
   if (options.sources || options.offset > 0 || options.conservative) return {};
-  Thinned thinned = thinOut(given, bodyThinning(cell, options), ThinFor::Sweep, Phase::Motion, run);
+  Thinned thinned =
+      thinOut(given, bodyThinning(prepared, cell, options), ThinFor::Sweep, Phase::Motion, run);
   const double left = static_cast<double>(thinned.mesh.triangles.size());
   if (left > (1 - kMinSaved) * static_cast<double>(given.triangles.size())) return {};
   return std::move(thinned.mesh);

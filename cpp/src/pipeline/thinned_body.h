@@ -14,7 +14,7 @@
 namespace swept {
 
 /// Returns how far the thinned body may lie from the given one: half of the chord tolerance.
-double bodyThinning(double cell, const Options& options);
+double bodyThinning(const Prepared& prepared, double cell, const Options& options);
 
 /// Returns the thinned body. Returns nothing if the motion is short and keeps the chord tolerance,
 /// if the body is not closed or has edges with more than two triangles, or if fewer than half of

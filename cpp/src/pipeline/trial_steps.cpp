@@ -66,7 +66,7 @@ Estimate estimateByTrial(const Estimate& estimate, const Prepared& p, const Body
     const SamplingTrial trial(input, run);
     SamplingTrial::Whole whole = trial.whole();
     const double copies = faces * static_cast<double>(p.motion.placements.size());
-    surface = roughSurface(input, roomBeside(whole.cost, copies), std::move(whole.marked),
+    surface = roughSurface(input, limitsFor(whole.cost, copies), std::move(whole.marked),
                            options.components, run);
     seconds += (whole.cost.seconds + trial.insideSeconds()) / threads;
     bytes = trial.bytesOf(whole.cost, surface.crossings, threads);

@@ -20,7 +20,7 @@ namespace swept {
 
 struct FaceClusters;
 class InsideMap;
-class PlaceGroups;
+class PlacementGroups;
 class SampleCache;
 
 /// The placements [begin, end).
@@ -47,7 +47,7 @@ struct SamplerInput {
   /// The placements that a trial of the CPU sampler samples. In a continuous motion, the step that
   /// starts at such a placement is also sampled.
   PlacementRange only{};
-  const PlaceGroups* groups = nullptr;  ///< groups of the whole motion, if they exist already
+  const PlacementGroups* groups = nullptr;  ///< groups of the whole motion, if they exist already
   /// A trial samples only one of this many parts of the clusters of a closed body
   /// (culling/kept_elements.h). 0: no clusters.
   std::size_t clusterParts = 1;

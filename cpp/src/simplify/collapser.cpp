@@ -310,7 +310,7 @@ bool Collapser::staysNearOriginal(std::int32_t from, std::int32_t to, const Vect
 bool Collapser::intersect(std::int32_t triangle, std::int32_t other) const {
   const TriMesh& mesh = state_.mesh;
   if (state_.label[triangle] >= 0 && state_.label[triangle] == state_.label[other]) return false;
-  return meetWrongly(mesh, triangle, other);
+  return trianglesIntersectFast(mesh, triangle, other);
 }
 
 // Returns whether a remaining triangle intersects another triangle after its corners have moved.

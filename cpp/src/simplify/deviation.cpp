@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 // Result for one block of the work.
 struct Found {
   double largest = 0;  // squared, mm^2
-  std::vector<FarPlace> missed, strays;
+  std::vector<FarPoint> missed, strays;
 };
 
 class Measurement {
@@ -94,7 +94,7 @@ class Measurement {
   void backward() {
     forAll(result_.triangles.size(), 64, [&](std::size_t t, Found& found, std::int32_t& hint) {
       const auto& c = result_.triangles[t];
-      FarPlace stray;
+      FarPoint stray;
       double farthest = limit_;
       const auto measure = [&](const Vector3d& p) {
         if (nearOriginal_.isNear(p, enough(found), hint)) return false;

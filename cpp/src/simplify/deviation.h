@@ -16,7 +16,7 @@
 namespace swept {
 
 /// A place where the surfaces are farther apart than the tolerance.
-struct FarPlace {
+struct FarPoint {
   /// One of the two is the measured point, the other the point nearest to it.
   Eigen::Vector3d onOriginal, onResult;
   std::int32_t triangle = -1;  ///< triangle of the result
@@ -24,10 +24,10 @@ struct FarPlace {
 
 struct Deviation {
   double largest = 0;            ///< mm, largest distance in either direction
-  std::vector<FarPlace> missed;  ///< found at points of the original
+  std::vector<FarPoint> missed;  ///< found at points of the original
   /// For each triangle of the result that is too far away, its farthest point; in ascending order
   /// of the triangles.
-  std::vector<FarPlace> strays;
+  std::vector<FarPoint> strays;
 };
 
 /// Measures the deviation. `spacing` (mm) is the distance of the grid points. `nearOriginal` must

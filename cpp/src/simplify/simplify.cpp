@@ -36,8 +36,8 @@ constexpr double kMinFraction = 0.1;
 // Attaches each missed point of the original to the nearest changed triangle, so that further
 // collapses stay near the point.
 void attachMissed(CollapseState& state, const std::vector<std::int32_t>& changed,
-                  const std::vector<FarPlace>& missed) {
-  for (const FarPlace& place : missed) {
+                  const std::vector<FarPoint>& missed) {
+  for (const FarPoint& place : missed) {
     double best = 1e300;
     std::int32_t nearestTriangle = -1;
     for (const std::int32_t t : changed) {
@@ -54,7 +54,7 @@ void attachMissed(CollapseState& state, const std::vector<std::int32_t>& changed
 // Undoes steps at triangles that deviate too far, and collapses again with denser sample points.
 // Returns false if no step can be undone.
 bool improve(CollapseState& state, CollapseLog& log, const std::vector<std::int32_t>& wrong,
-             const std::vector<FarPlace>& missed, int depth, RunContext& run) {
+             const std::vector<FarPoint>& missed, int depth, RunContext& run) {
   const std::vector<std::int32_t> changed = log.takeBack(state, wrong, depth);
   if (changed.empty()) return false;
   attachMissed(state, changed, missed);
@@ -111,7 +111,7 @@ const NearestTriangle& Simplifier::nearest() const {
   return *nearest_;
 }
 
-Simplified Simplifier::cut(double tolerance, RunContext& run) const {
+Simplified Simplifier::simplifyTo(double tolerance, RunContext& run) const {
   run.checkpoint(Phase::Simplify);
   // If no trial keeps within the tolerance, tries again with half of it.
   for (double within = tolerance; within > kMinFraction * tolerance; within /= 2) {
@@ -125,7 +125,7 @@ Simplified Simplifier::cut(double tolerance, RunContext& run) const {
         own = thinned(nullptr, limit, run, kept);
         level = own.get();
       }
-      if (std::optional<Simplified> cut = cutFrom(*level, within, run, kept))
+      if (std::optional<Simplified> cut = simplifyFrom(*level, within, run, kept))
         return std::move(*cut);
       // If no vertex was added to `kept`, a further trial would give the same result.
       if (kept == before) break;
@@ -148,8 +148,8 @@ void Simplifier::addContactTime(const Level& level, Simplified& out) const {
   }
 }
 
-std::optional<Simplified> Simplifier::cutFrom(const Level& level, double tolerance, RunContext& run,
-                                              std::vector<char>& kept) const {
+std::optional<Simplified> Simplifier::simplifyFrom(const Level& level, double tolerance,
+                                                   RunContext& run, std::vector<char>& kept) const {
   CollapseState state = startFrom(level);
   state.tolerance = kPointFraction * (tolerance - level.limit / 2);
   watchLongEdges(state, std::vector<char>(level.mesh.triangles.size(), 0));
@@ -163,7 +163,7 @@ std::optional<Simplified> Simplifier::cutFrom(const Level& level, double toleran
     const Deviation deviation = measureDeviation(mesh_, nearest(), small, cell_, tolerance);
     std::vector<std::int32_t> wrong;
     for (const auto* places : {&deviation.missed, &deviation.strays}) {
-      for (const FarPlace& place : *places) wrong.push_back(number[place.triangle]);
+      for (const FarPoint& place : *places) wrong.push_back(number[place.triangle]);
     }
     if (round == 0 && wrong.empty()) return finished(std::move(small), deviation.largest, level);
     // Undone steps restore triangles, which may intersect triangles moved by later steps.
@@ -184,11 +184,11 @@ std::optional<Simplified> Simplifier::cutFrom(const Level& level, double toleran
 }
 
 // Marks the vertices of the triangles at the missed places, and of their neighbours.
-void Simplifier::keepAround(const std::vector<FarPlace>& missed, std::vector<char>& kept) const {
+void Simplifier::keepAround(const std::vector<FarPoint>& missed, std::vector<char>& kept) const {
   if (missed.empty()) return;
   kept.resize(mesh_.vertices.size(), 0);
   std::vector<char> at(kept.size(), 0);
-  for (const FarPlace& place : missed) {
+  for (const FarPoint& place : missed) {
     std::int32_t near = -1;
     nearest().query(place.onOriginal, 1e300, 0, near);
     for (const std::int32_t v : mesh_.triangles[near]) at[v] = 1;

@@ -31,7 +31,7 @@
 namespace swept {
 
 struct CollapseState;
-struct FarPlace;
+struct FarPoint;
 
 struct Simplified {
   TriMesh mesh;
@@ -48,7 +48,7 @@ class Simplifier {
 
   /// Returns the simplified surface. `tolerance` (mm) must be above 0. Several threads may call
   /// this at the same time. The result depends only on the tolerance, never on earlier calls.
-  Simplified cut(double tolerance, RunContext& run) const;
+  Simplified simplifyTo(double tolerance, RunContext& run) const;
 
   const TriMesh& mesh() const { return mesh_; }
   const std::vector<double>& contactTime() const { return contactTime_; }
@@ -75,9 +75,9 @@ class Simplifier {
   Simplified finished(TriMesh mesh, double deviation, const Level& level) const;
   /// Returns nothing if the measured deviation stays above the tolerance. Then `kept` marks the
   /// vertices of the surface around the places that deviate.
-  std::optional<Simplified> cutFrom(const Level& level, double tolerance, RunContext& run,
-                                    std::vector<char>& kept) const;
-  void keepAround(const std::vector<FarPlace>& missed, std::vector<char>& kept) const;
+  std::optional<Simplified> simplifyFrom(const Level& level, double tolerance, RunContext& run,
+                                         std::vector<char>& kept) const;
+  void keepAround(const std::vector<FarPoint>& missed, std::vector<char>& kept) const;
 
   TriMesh mesh_;
   std::vector<double> contactTime_;

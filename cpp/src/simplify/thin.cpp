@@ -305,7 +305,7 @@ class Thinner {
     for (std::size_t i = 0; i < scratch.fresh.size(); ++i) {
       const Corners& c = scratch.fresh[i];
       const auto intersects = [&](const Corners& other) {
-        return meetWrongly(vertices_, c, other);
+        return trianglesIntersectFast(vertices_, c, other);
       };
       if (std::any_of(scratch.nearby.begin(), scratch.nearby.end(), intersects) ||
           std::any_of(scratch.fresh.begin() + i + 1, scratch.fresh.end(), intersects))

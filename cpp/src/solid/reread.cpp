@@ -9,7 +9,7 @@
 namespace swept {
 
 std::string rereadComplaint(const SolidCheck& read, const step::HalfEdgeMesh& mesh,
-                            const StepOptions& options) {
+                            const SolidOptions& options) {
   const std::int64_t outer = step::countOuterShells(mesh.shellOwner);
   const double allowed = mesh.area * std::max(options.planarTolerance, options.tolerance) +
                          1e-6 * std::abs(mesh.volume);

@@ -14,6 +14,6 @@ namespace swept {
 /// surfaces were recognised, no edge or vertex may have a tolerance (mm) larger than that of the
 /// options.
 std::string rereadComplaint(const SolidCheck& read, const step::HalfEdgeMesh& mesh,
-                            const StepOptions& options);
+                            const SolidOptions& options);
 
 }  // namespace swept

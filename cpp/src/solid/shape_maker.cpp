@@ -35,7 +35,7 @@ Built describe(Model model, double deviation) {
 }
 
 Partition partitionOf(const HalfEdgeMesh& mesh, const HalfEdgeMesh& whole,
-                      const StepOptions& options, RunContext& run) {
+                      const SolidOptions& options, RunContext& run) {
   Partition partition;
   partition.patchOf.assign(mesh.triangles.size(), -1);
   if (options.tolerance > 0 && options.recognise) {
@@ -132,7 +132,7 @@ std::vector<std::int32_t> curvedFacesOf(const std::vector<EdgeCut>& edges, const
 
 class ShapeMaker {
  public:
-  ShapeMaker(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense, const StepOptions& options,
+  ShapeMaker(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense, const SolidOptions& options,
              const std::function<bool(std::int64_t)>& fits, Judge& judge, RunContext& run)
       : whole_(whole),
         dense_(dense),
@@ -357,7 +357,7 @@ class ShapeMaker {
   static constexpr std::size_t kMinTrialTriangles = 20000;
   const HalfEdgeMesh& whole_;
   const HalfEdgeMesh& dense_;
-  const StepOptions& options_;
+  const SolidOptions& options_;
   const std::function<bool(std::int64_t)>& fits_;
   Judge& judge_;
   RunContext& run_;
@@ -374,13 +374,13 @@ class ShapeMaker {
 }  // namespace
 
 std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense,
-                               const StepOptions& options,
+                               const SolidOptions& options,
                                const std::function<bool(std::int64_t)>& fits, Judge& judge,
                                std::int64_t& faces, RunContext& run) {
   return ShapeMaker(whole, dense, options, fits, judge, run).make(faces);
 }
 
-std::optional<Built> makeLabelledShape(const HalfEdgeMesh& mesh, const StepOptions& options,
+std::optional<Built> makeLabelledShape(const HalfEdgeMesh& mesh, const SolidOptions& options,
                                        const std::function<bool(std::int64_t)>& fits, Judge& judge,
                                        RunContext& run) {
   std::optional<Built> built;

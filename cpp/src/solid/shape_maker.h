@@ -32,12 +32,12 @@ struct Built {
 /// Returns the model, or nothing. The judge was given this model last (Judge::setModel()). `faces`
 /// receives the number of faces, even if there are too many.
 std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& dense,
-                               const StepOptions& options,
+                               const SolidOptions& options,
                                const std::function<bool(std::int64_t)>& fits, Judge& judge,
                                std::int64_t& faces, RunContext& run);
 
-/// Returns a shape with the faces of StepOptions::origin, or nothing if they do not fit together.
-std::optional<Built> makeLabelledShape(const HalfEdgeMesh& mesh, const StepOptions& options,
+/// Returns a shape with the faces of SolidOptions::origin, or nothing if they do not fit together.
+std::optional<Built> makeLabelledShape(const HalfEdgeMesh& mesh, const SolidOptions& options,
                                        const std::function<bool(std::int64_t)>& fits, Judge& judge,
                                        RunContext& run);
 

@@ -52,7 +52,7 @@ void requireOrigin(const SolidOrigin& origin, const HalfEdgeMesh& mesh) {
 constexpr double kStepBytesPerFace = 750, kBrepBytesPerFace = 700, kBytesByCorners = 340;
 constexpr double kSecondsPerFace = 3e-4;
 
-bool isWithinLimits(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOptions& options,
+bool isWithinLimits(std::int64_t faces, const HalfEdgeMesh& mesh, const SolidOptions& options,
                     SolidFormat format) {
   return faces <= options.maxFaces &&
          (!options.maxMegabytes ||
@@ -60,7 +60,7 @@ bool isWithinLimits(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOpti
 }
 
 [[noreturn]] void refuseTooMany(std::int64_t faces, const HalfEdgeMesh& mesh,
-                                const StepOptions& options, SolidFormat format) {
+                                const SolidOptions& options, SolidFormat format) {
   const auto seconds =
       static_cast<std::int64_t>(std::ceil(kSecondsPerFace * static_cast<double>(faces)));
   std::string text =
@@ -86,8 +86,8 @@ double diagonalOf(const HalfEdgeMesh& mesh) {
 
 // Builds with options.tolerance. If it is 0, tries 0 and then a series of tolerances, until the
 // solid is within the limits. `options` receives the tolerance.
-Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format, Judge& judge,
-                   RunContext& run) {
+Built buildUpright(const HalfEdgeMesh& mesh, SolidOptions& options, SolidFormat format,
+                   Judge& judge, RunContext& run) {
   const auto fits = [&](std::int64_t count) {
     return isWithinLimits(count, mesh, options, format);
   };
@@ -122,7 +122,7 @@ Built buildUpright(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat f
 
 }  // namespace
 
-void checkOptions(const StepOptions& options) {
+void checkOptions(const SolidOptions& options) {
   requireLength("planarTolerance", options.planarTolerance);
   requireLength("the solid's tolerance", options.tolerance);
   requireName("the product's name", options.productName);
@@ -143,7 +143,7 @@ void checkOptions(const StepOptions& options) {
               " MB; allowed: more than 0, or not given (no limit)");
 }
 
-double megabytesOf(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOptions& options,
+double megabytesOf(std::int64_t faces, const HalfEdgeMesh& mesh, const SolidOptions& options,
                    SolidFormat format) {
   // If there are many plane faces and no cavities, the file contains only the corners of the faces.
   const bool corners = faces >= kManyFaces && (options.tolerance <= 0 || !options.recognise) &&
@@ -160,7 +160,7 @@ HalfEdgeMesh thinned(const HalfEdgeMesh& mesh, double limit, RunContext& run) {
       run);
 }
 
-Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format,
+Built buildWithinLimits(const HalfEdgeMesh& mesh, SolidOptions& options, SolidFormat format,
                         Judge& judge, RunContext& run) {
   if (options.origin != nullptr) requireOrigin(*options.origin, mesh);
   return uprightWithin(options.tolerance,
@@ -168,7 +168,7 @@ Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, SolidFor
 }
 
 void writeBuilt(const Built& built, Judge& judge, std::ostream& out, const std::string& name,
-                const StepOptions& options, SolidFormat format, RunContext& run) {
+                const SolidOptions& options, SolidFormat format, RunContext& run) {
   if (format == SolidFormat::Brep) {
     judge.writeBrep(out, run);
   } else {

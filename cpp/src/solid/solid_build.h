@@ -21,10 +21,10 @@
 namespace swept::step {
 
 /// Throws Error(ExportFailed, "BadOption") if an option is out of its range.
-void checkOptions(const StepOptions& options);
+void checkOptions(const SolidOptions& options);
 
 /// Returns the approximate size of the file in megabytes.
-double megabytesOf(std::int64_t faces, const HalfEdgeMesh& mesh, const StepOptions& options,
+double megabytesOf(std::int64_t faces, const HalfEdgeMesh& mesh, const SolidOptions& options,
                    SolidFormat format);
 
 /// Returns the mesh, thinned so that its surface moves by at most `limit` (mm).
@@ -48,12 +48,12 @@ auto uprightWithin(double& tolerance, const Work& work) {
 /// Builds the solid with the given tolerance. If that is 0, tries 0 and then a series of
 /// tolerances, and takes the first for which the solid is within the limits. `options` receives the
 /// tolerance that was used.
-Built buildWithinLimits(const HalfEdgeMesh& mesh, StepOptions& options, SolidFormat format,
+Built buildWithinLimits(const HalfEdgeMesh& mesh, SolidOptions& options, SolidFormat format,
                         Judge& judge, RunContext& run);
 
 /// Writes the text of the file. `name` is the file name for the header.
 void writeBuilt(const Built& built, Judge& judge, std::ostream& out, const std::string& name,
-                const StepOptions& options, SolidFormat format, RunContext& run);
+                const SolidOptions& options, SolidFormat format, RunContext& run);
 
 /// Returns whether a solid of facets only may succeed after this error.
 bool isWorthFacets(const Error& error);
@@ -63,8 +63,8 @@ bool isWorthFacets(const Error& error);
 /// surfaces, calls it again without these, so that all faces are facets. `why` receives the message
 /// of the failure that led to facets only; empty if there was none.
 template <class Work>
-auto orFacets(const StepOptions& options, std::string& why, const Work& work) {
-  StepOptions used = options;
+auto orFacets(const SolidOptions& options, std::string& why, const Work& work) {
+  SolidOptions used = options;
   why.clear();
   if (options.origin != nullptr) {
     try {

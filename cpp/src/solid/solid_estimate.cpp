@@ -46,7 +46,7 @@ class CountingBuffer : public std::streambuf {
   std::uint64_t count_ = 0;
 };
 
-bool isTessellated(const StepOptions& options, SolidFormat format) {
+bool isTessellated(const SolidOptions& options, SolidFormat format) {
   return options.schema == StepSchema::Ap242Tessellated && format == SolidFormat::Step;
 }
 
@@ -59,7 +59,7 @@ SolidEstimate ofTriangles(const HalfEdgeMesh& mesh) {
   return estimate;
 }
 
-SolidEstimate guess(const TriMesh& input, const StepOptions& options, SolidFormat format,
+SolidEstimate guess(const TriMesh& input, const SolidOptions& options, SolidFormat format,
                     RunContext& run) {
   const HalfEdgeMesh mesh = buildHalfEdges(input, run);
   if (isTessellated(options, format)) return ofTriangles(mesh);
@@ -102,7 +102,7 @@ double secondsToReadBack(const Model& model, SolidFormat format) {
   return seconds;
 }
 
-SolidEstimate tryOut(const TriMesh& input, StepOptions& options, SolidFormat format,
+SolidEstimate tryOut(const TriMesh& input, SolidOptions& options, SolidFormat format,
                      RunContext& run) {
   Timer watch;
   const HalfEdgeMesh mesh = buildHalfEdges(input, run);
@@ -128,21 +128,21 @@ SolidEstimate tryOut(const TriMesh& input, StepOptions& options, SolidFormat for
 
 }  // namespace
 
-SolidEstimate guessSolid(const TriMesh& mesh, const StepOptions& options, SolidFormat format,
+SolidEstimate guessSolid(const TriMesh& mesh, const SolidOptions& options, SolidFormat format,
                          RunContext& run) {
   checkOptions(options);
   tbb::task_arena arena(threadsOf(run));
   return arena.execute([&] { return guess(mesh, options, format, run); });
 }
 
-SolidEstimate trySolid(const TriMesh& mesh, const StepOptions& options, SolidFormat format,
+SolidEstimate trySolid(const TriMesh& mesh, const SolidOptions& options, SolidFormat format,
                        RunContext& run) {
   checkOptions(options);
   tbb::task_arena arena(threadsOf(run));
   return arena.execute([&] {
     std::string why;
     return orFacets(options, why,
-                    [&](StepOptions& used) { return tryOut(mesh, used, format, run); });
+                    [&](SolidOptions& used) { return tryOut(mesh, used, format, run); });
   });
 }
 

@@ -11,6 +11,6 @@ namespace swept {
 /// Returns up to three findings. "SolidSimplified": the solid was simplified although no tolerance
 /// was given. "SolidNote": the note of the export, for example on surfaces that it gave up.
 /// "SolidInaccurate": the solid deviates from the mesh by more than the tolerance.
-std::vector<Finding> solidFindings(const StepReport& solid, const StepOptions& options);
+std::vector<Finding> solidFindings(const WrittenSolid& solid, const SolidOptions& options);
 
 }  // namespace swept

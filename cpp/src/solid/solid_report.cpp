@@ -7,7 +7,7 @@
 
 namespace swept {
 
-std::vector<Finding> solidFindings(const StepReport& solid, const StepOptions& options) {
+std::vector<Finding> solidFindings(const WrittenSolid& solid, const SolidOptions& options) {
   std::vector<Finding> findings;
   if (options.tolerance <= 0 && solid.tolerance > 0) {
     const double percent =
@@ -35,7 +35,7 @@ std::vector<Finding> solidFindings(const StepReport& solid, const StepOptions& o
   return findings;
 }
 
-std::string toJson(const StepReport& solid) {
+std::string toJson(const WrittenSolid& solid) {
   Json kinds = Json::object();
   for (const auto& [kind, count] : solid.facesByKind) kinds[kind] = count;
   const Json json{{"solids", solid.solids},

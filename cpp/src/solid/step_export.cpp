@@ -35,7 +35,7 @@ using namespace step;
 // Reads the file back with the judge. Throws an error with advice if the file cannot be read, or if
 // it does not contain the solid of the mesh.
 SolidCheck readBack(Judge& judge, const Model& model, const SafeFile& file, const std::string& name,
-                    const HalfEdgeMesh& mesh, const StepOptions& options, RunContext& run) {
+                    const HalfEdgeMesh& mesh, const SolidOptions& options, RunContext& run) {
   SolidCheck check;
   try {
     check =
@@ -51,7 +51,7 @@ SolidCheck readBack(Judge& judge, const Model& model, const SafeFile& file, cons
 }
 
 // Adds a note to the report if the solid deviates from the mesh by more than the tolerance.
-void noteDeviation(StepReport& report) {
+void noteDeviation(WrittenSolid& report) {
   if (!(report.tolerance > 0 && report.deviation > report.tolerance)) return;
   if (!report.note.empty()) report.note += "; ";
   report.note += "the solid deviates from the mesh by up to " + numberText(report.deviation, 4) +
@@ -61,12 +61,12 @@ void noteDeviation(StepReport& report) {
 
 using Open = std::function<std::unique_ptr<Judge>()>;
 
-StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptions& options,
-                        const Open& open, RunContext& run) {
+WrittenSolid writeChecked(const TriMesh& input, const std::string& path, SolidOptions& options,
+                          const Open& open, RunContext& run) {
   const SolidFormat format = solidFormatOf(path);
   SafeFile file(path);
   Timer watch;
-  StepReport report;
+  WrittenSolid report;
   const HalfEdgeMesh mesh = buildHalfEdges(input, run);
   const std::unique_ptr<Judge> judge = open();
   withJudge(*judge, mesh.triangles.size(), run, [&] {
@@ -108,23 +108,24 @@ StepReport writeChecked(const TriMesh& input, const std::string& path, StepOptio
   return report;
 }
 
-StepReport writeOrFacets(const TriMesh& mesh, const std::string& path, const StepOptions& options,
-                         const Open& open, RunContext& run) {
+WrittenSolid writeOrFacets(const TriMesh& mesh, const std::string& path,
+                           const SolidOptions& options, const Open& open, RunContext& run) {
   if (options.schema == StepSchema::Ap242Tessellated && solidFormatOf(path) == SolidFormat::Step)
     return writeTessellated(mesh, path, options, run);
   std::string why;
-  StepReport report = orFacets(
-      options, why, [&](StepOptions& used) { return writeChecked(mesh, path, used, open, run); });
+  WrittenSolid report = orFacets(
+      options, why, [&](SolidOptions& used) { return writeChecked(mesh, path, used, open, run); });
   if (!why.empty())
     report.note = "the solid has no curved surfaces, because an attempt with them failed: " + why;
   return report;
 }
 
-StepReport writeAny(const TriMesh& mesh, const std::string& path, const StepOptions& options,
-                    const Open& open, RunContext& run) {
+WrittenSolid writeAny(const TriMesh& mesh, const std::string& path, const SolidOptions& options,
+                      const Open& open, RunContext& run) {
   checkOptions(options);
   tbb::task_arena arena(threadsOf(run));
-  StepReport report = arena.execute([&] { return writeOrFacets(mesh, path, options, open, run); });
+  WrittenSolid report =
+      arena.execute([&] { return writeOrFacets(mesh, path, options, open, run); });
   report.warnings = solidFindings(report, options);
   return report;
 }
@@ -139,13 +140,13 @@ StepSchema parseStepSchema(const std::string& text) {
               "schema is '" + text + "'; allowed: ap214, ap242, ap242-tessellated");
 }
 
-StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
-                      RunContext& run) {
+WrittenSolid writeSolid(const TriMesh& mesh, const std::string& path, const SolidOptions& options,
+                        RunContext& run) {
   return writeAny(mesh, path, options, openJudge, run);
 }
 
-StepReport writeSolid(const TriMesh& mesh, const std::string& path, const StepOptions& options,
-                      StepReader& reader, RunContext& run) {
+WrittenSolid writeSolid(const TriMesh& mesh, const std::string& path, const SolidOptions& options,
+                        StepReader& reader, RunContext& run) {
   const auto judge = [&]() -> std::unique_ptr<Judge> {
     if (solidFormatOf(path) != SolidFormat::Brep) return std::make_unique<TextJudge>(reader);
     throw Error(Status::ExportFailed, "NoKernel",

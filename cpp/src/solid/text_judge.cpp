@@ -12,12 +12,6 @@
 #include "solid/text/step_text.h"
 
 namespace swept::step {
-namespace {
-
-/// Distance in mm; the kernel treats two points closer than this as one.
-constexpr double kKernelTolerance = 1e-7;
-
-}  // namespace
 
 // Without a kernel, only faces are refused that have an edge without length, or an edge that bends
 // back to its start.
@@ -48,7 +42,7 @@ std::vector<std::int32_t> TextJudge::findBadFaces(RunContext& run, double from, 
   return {};
 }
 
-std::vector<std::int32_t> TextJudge::findUnreadable(const Model& model, const StepOptions& options,
+std::vector<std::int32_t> TextJudge::findUnreadable(const Model& model, const SolidOptions& options,
                                                     RunContext& run) {
   return curved_.findRefused(model, options, run, [&](const std::string& text, std::size_t count) {
     const StepReader::Answer read = reader_.read(text);
@@ -70,7 +64,7 @@ void TextJudge::writeBrep(std::ostream& out, RunContext& /*run*/) {
 }
 
 SolidCheck TextJudge::readBack(const Model& /*model*/, const std::string& file,
-                               const std::string& /*name*/, const StepOptions& /*options*/,
+                               const std::string& /*name*/, const SolidOptions& /*options*/,
                                SolidFormat /*format*/, RunContext& run) {
   run.checkpoint(Phase::Export, 4, 5);
   std::ifstream stream(pathFromUtf8(file), std::ios::binary);

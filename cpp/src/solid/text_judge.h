@@ -23,12 +23,12 @@ class TextJudge : public Judge {
   std::vector<std::int32_t> setModel(const Model& model, RunContext& run) override;
   std::vector<EdgeCut> findEdgesOffFaces(const Model& model) override;
   std::vector<std::int32_t> findBadFaces(RunContext& run, double from, double to) override;
-  std::vector<std::int32_t> findUnreadable(const Model& model, const StepOptions& options,
+  std::vector<std::int32_t> findUnreadable(const Model& model, const SolidOptions& options,
                                            RunContext& run) override;
   std::vector<std::int32_t> findInterfering(const Model& model, RunContext& run) override;
   void writeBrep(std::ostream& out, RunContext& run) override;
   SolidCheck readBack(const Model& model, const std::string& file, const std::string& name,
-                      const StepOptions& options, SolidFormat format, RunContext& run) override;
+                      const SolidOptions& options, SolidFormat format, RunContext& run) override;
   void guard(const std::function<void()>& work, RunContext& run) override;
 
  private:

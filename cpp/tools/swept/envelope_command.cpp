@@ -39,7 +39,7 @@ struct EnvelopeJob {
   std::optional<std::int64_t> memoryLimitMegabytes;
   CommonOptions common;
 #ifdef HAVE_SWEPT_SOLID
-  StepOptions solid;
+  SolidOptions solid;
 #endif
 };
 
@@ -48,7 +48,7 @@ void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
   CLI::Option* accuracy = addNumber(
       app, "--accuracy", "MM", job.accuracy,
       "how far the surface may lie from the true one; chooses cell size, tolerance and chord, in "
-      "place of --resolution, --cell, --tolerance and --chord");
+      "place of --resolution, --cell, --tolerance and --chord-tolerance");
   addInteger(
       app, "--resolution", job.resolution, 4, 16384,
       "number of grid cells along the longest side of the swept volume, 4 to 16384 (default 128)");
@@ -69,14 +69,13 @@ void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
       [&options](const std::string& t) { options.components = parseComponentMethod(t); },
       "for research: how separate pieces of surface in one cell are recognised; only consistent "
       "(default) guarantees a closed manifold");
-  addNumber(
-      app, "--chord", "F", options.chordTolerance,
-      "largest deviation of the computed motion from the true one: a fraction of the cell size, "
-      "not a length; above 0 to 1 (default 0.02)");
+  addNumber(app, "--chord-tolerance", "MM", options.chordTolerance,
+            "largest deviation of the computed motion from the true one, up to the size of a cell "
+            "(default 0: 0.02 of a cell)");
   addNumber(app, "--position-filter", "MM", options.positionFilter,
             "skip poses as long as no point of the part has moved farther than this since the last "
             "pose used (default 0: use all poses)");
-  for (const char* other : {"--resolution", "--cell", "--tolerance", "--chord"}) {
+  for (const char* other : {"--resolution", "--cell", "--tolerance", "--chord-tolerance"}) {
     accuracy->excludes(app.get_option(other));
   }
   app.add_flag_callback(
@@ -198,7 +197,7 @@ void addStage(Report& report, const std::string& stage, double seconds) {
 }
 
 #ifdef HAVE_SWEPT_SOLID
-using SolidResult = std::optional<StepReport>;
+using SolidResult = std::optional<WrittenSolid>;
 #else
 using SolidResult = std::optional<int>;
 #endif
@@ -225,7 +224,7 @@ SolidResult writeOutput(const Result& result, const Body& body, const Trajectory
   writeOutputFile(job.outputPath, job.outputFormat, [&](const std::string& path) {
 #ifdef HAVE_SWEPT_SOLID
     if (isSolidSuffix(suffixOfOutput(job))) {
-      StepOptions options = job.solid;
+      SolidOptions options = job.solid;
       if (wantsBodyFaces(job, body)) {
         options.origin = std::make_shared<const SolidOrigin>(
             SolidOrigin{result.sources, motion, body.shape, body.chordError});

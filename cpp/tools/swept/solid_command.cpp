@@ -19,7 +19,7 @@ struct SolidJob {
   double unit = 1.0;
   bool estimate = false;  // true: only estimate, write nothing
   CommonOptions common;
-  StepOptions options;
+  SolidOptions options;
 };
 
 TriMesh meshOf(const SolidJob& job) {
@@ -86,7 +86,7 @@ int runEstimate(const SolidJob& job) {
 
 int runSolid(const SolidJob& job) {
   const CommonOptions& common = job.common;
-  StepReport solid;
+  WrittenSolid solid;
   const Report report =
       runOnMesh(job, {{"--output", job.outputPath}}, [&](const TriMesh& mesh, RunContext& run) {
         writeOutputFile(job.outputPath, job.outputFormat, [&](const std::string& path) {

@@ -8,7 +8,7 @@
 
 namespace swept::cli {
 
-void addSolidOptions(CLI::App& app, StepOptions& options) {
+void addSolidOptions(CLI::App& app, SolidOptions& options) {
   constexpr const char* kGroup = "Options for solid output (step, stp, brep, brp)";
   const auto in = [](CLI::Option* option) { option->group(kGroup); };
   in(addNumber(app, "--solid-tolerance", "MM", options.tolerance,
@@ -39,7 +39,7 @@ void addSolidOptions(CLI::App& app, StepOptions& options) {
              "name of the product in the STEP file"));
 }
 
-void printSolid(const StepReport& solid, const std::string& path) {
+void printSolid(const WrittenSolid& solid, const std::string& path) {
   std::string kinds;
   for (const auto& [kind, count] : solid.facesByKind) {
     kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " " + kind;

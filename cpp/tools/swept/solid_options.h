@@ -7,9 +7,9 @@
 
 namespace swept::cli {
 
-void addSolidOptions(CLI::App& app, StepOptions& options);
+void addSolidOptions(CLI::App& app, SolidOptions& options);
 
 /// Prints one line: faces by kind, size, seconds, deviation.
-void printSolid(const StepReport& solid, const std::string& path);
+void printSolid(const WrittenSolid& solid, const std::string& path);
 
 }  // namespace swept::cli

@@ -51,7 +51,7 @@ struct DrawnCell {
 /// triangles intersect.
 std::string faultsOf(const DrawnCell& drawn, bool layered) {
   const Crossing* crossings = drawn.crossings.data();
-  const CellPlace place{{12.5, -3, 1000}, 0.7};
+  const CellBox place{{12.5, -3, 1000}, 0.7};
   const std::vector<CellRing> rings = ringsOf(drawn.cell, crossings);
   std::vector<PatchRing> points;
   TriMesh mesh;

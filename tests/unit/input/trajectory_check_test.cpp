@@ -67,6 +67,30 @@ TEST(TrajectoryCheck, bad_input_16_options) {
   refused([](Options& o) { o.weldTolerance = kNan; }, "weldTolerance");
 }
 
+TEST(TrajectoryCheck, ChordsUpToACellAndWeldsUpToAHundredthOfTheBody) {
+  Options options;
+  EXPECT_EQ(chordTolerance(options, 5), 0.1);
+  EXPECT_EQ(weldTolerance(options, 300), 3e-4);
+  options.chordTolerance = 5;
+  options.weldTolerance = 3;
+  EXPECT_EQ(chordTolerance(options, 5), 5);
+  EXPECT_EQ(weldTolerance(options, 300), 3);
+  const auto text = [](const auto& call) -> std::string {
+    try {
+      call();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), "BadOption");
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(text([&] { chordTolerance(options, 4.5); }),
+            "option chordTolerance = 5; allowed: above 0 mm up to the size of a cell (4.5 mm)");
+  EXPECT_EQ(text([&] { weldTolerance(options, 200); }),
+            "option weldTolerance = 3; allowed: 0 mm up to a hundredth of the diagonal of the "
+            "part's bounding box (2 mm)");
+}
+
 TEST(TrajectoryCheck, bad_input_17_no_poses) { expectRefused({}, "EmptyTrajectory", "no poses"); }
 
 TEST(TrajectoryCheck, bad_input_18_one_pose) {

@@ -51,7 +51,7 @@ TEST(SplitEdges, OnlyWhereItSavesWork) {
   RunContext run;
   const double cell = 0.05, chord = 0.02 * cell;
   const auto best = [&](const TriMesh& body, const Trajectory& motion) {
-    return planFollowing(body, motion, chord, cell, kMany, true, run).longestEdge;
+    return planApproximation(body, motion, chord, cell, kMany, true, run).longestEdge;
   };
   const TriMesh box = makeBox({0, 0, 0}, {10, 7, 5});
   EXPECT_LT(best(box, quarterTurn(M_PI / 2)), 2);
@@ -82,7 +82,7 @@ TEST(SplitEdges, FewLongEdgesOfAFineBodyAreSplitAndTheBoundIsKept) {
   RunContext run;
   const double cell = 0.05, chord = 0.02 * cell;
   const BallAndRod c;
-  const Following how = planFollowing(c.body, c.turn, chord, cell, kMany, true, run);
+  const MotionApproximation how = planApproximation(c.body, c.turn, chord, cell, kMany, true, run);
   EXPECT_EQ(how.chord, chord);
   const TriMesh split = splitEdges(c.body, how.longestEdge, run);
   const Motion motion = refineMotion(split, c.turn, how.chord, run);
@@ -97,17 +97,18 @@ TEST(SplitEdges, TooManyCopiesMakeTheChordLarger) {
   RunContext run;
   const double cell = 0.05, chord = 0.002 * cell;
   const BallAndRod c;
-  const auto copies = [&](const Following& how) {
+  const auto copies = [&](const MotionApproximation& how) {
     return refineMotion(c.body, c.turn, how.chord, run).placements.size() * c.body.triangles.size();
   };
-  const Following all = planFollowing(c.body, c.turn, chord, cell, kMany, false, run);
+  const MotionApproximation all = planApproximation(c.body, c.turn, chord, cell, kMany, false, run);
   EXPECT_EQ(all.chord, chord);
   const double most = static_cast<double>(copies(all)) / 5;
-  const Following fewer = planFollowing(c.body, c.turn, chord, cell, most, false, run);
+  const MotionApproximation fewer =
+      planApproximation(c.body, c.turn, chord, cell, most, false, run);
   EXPECT_GT(fewer.chord, chord);
   EXPECT_LT(static_cast<double>(copies(fewer)), 1.01 * most);
   // Twice as many placements as for a chord error of one cell are always allowed.
-  EXPECT_LT(planFollowing(c.body, c.turn, chord, cell, 1, false, run).chord, cell);
+  EXPECT_LT(planApproximation(c.body, c.turn, chord, cell, 1, false, run).chord, cell);
 }
 
 /// A box turns about one of its edges. It sweeps a sector of a cylinder, and its own space at the

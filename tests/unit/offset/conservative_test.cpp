@@ -199,7 +199,7 @@ TEST(Conservative, LongEdgesOfFewTrianglesInATurn) {
   end.translation = V3(30, 0, 10);
   Options options;
   options.resolution = 64;
-  options.chordTolerance = 0.5;
+  options.chordTolerance = 0.45;  // half a cell
   expectContained("bar", bar, {{Pose{}, end}, Interpolation::Linear}, options, 2000);
 }
 

@@ -100,7 +100,7 @@ TEST(FindPath, TurnsInNarrowPlacesAreFoundWithinFewMoves) {
                               keyCase(seed), hooksCase(seed)}) {
       PathOptions options = patient(c);
       options.mostSteps = 600000;
-      options.askLess = false;
+      options.tryLowerClearance = false;
       const PathReport report = solve(c, options);
       EXPECT_EQ(wrongWith(c, report), "") << c.name << " " << seed;
       found += report.verdict == PathVerdict::Found;
@@ -288,7 +288,7 @@ TEST(FindPath, ASearchWithoutSuccessSaysHowFarItCame) {
   const PathCase c = sealedCase(2);
   PathOptions options = patient(c);
   options.mostSteps = 2000;
-  options.askLess = false;
+  options.tryLowerClearance = false;
   const PathReport report = solve(c, options);
   EXPECT_EQ(report.status, Status::Ok);
   EXPECT_NE(report.verdict, PathVerdict::Found);
@@ -304,7 +304,7 @@ TEST(FindPath, TheTimeLimitEndsEachMethod) {
     PathOptions options = patient(c);
     options.translationOnly = !turns;
     options.mostSteps = 20000;
-    options.askLess = false;
+    options.tryLowerClearance = false;
     const PathReport whole = solve(c, options);
     options.budgetSeconds = 1e-9;
     const PathReport ended = solve(c, options);

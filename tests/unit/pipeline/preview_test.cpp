@@ -65,7 +65,7 @@ TEST(Preview, WhatIsKeptBetweenCallsDoesNotShowInTheResult) {
       Options full = options;
       full.cull = false;
       full.cellSize = a.report.cellSize;
-      full.chordTolerance = kPreviewChord;
+      full.chordTolerance = kPreviewChord * *full.cellSize;
       const Result c = compute(body, next, full, run);
       EXPECT_NEAR(a.report.check.volume, c.report.check.volume,
                   0.1 * c.report.check.area * c.report.cellSize);

@@ -242,8 +242,8 @@ TEST(TrialSteps, ProbesOfContouringAreCountedInCellsOfTheWholeMotion) {
     SCOPED_TRACE(kind.body.triangles.size());
     Planned planned(kind.body, kind.path, kind.resolution);
     const Counted run = counted(planned);
-    const RoughSurface surface =
-        roughSurface(planned.input(), RoughRoom(), std::nullopt, Options().components, planned.run);
+    const RoughSurface surface = roughSurface(planned.input(), RoughLimits(), std::nullopt,
+                                              Options().components, planned.run);
     EXPECT_NEAR(surface.crossings / run.crossings, 1, 0.1);
     ASSERT_GT(run.casts, 40);
     EXPECT_GT(surface.probes.casts / run.casts, 0.5);
@@ -255,15 +255,15 @@ TEST(TrialSteps, ProbesOfContouringAreCountedInCellsOfTheWholeMotion) {
 TEST(TrialSteps, LargerCellsTellTheSurfaceToo) {
   Planned planned(makeTorus(20, 8, 120, 60), bow(60, 80, 1.5, 0), 120);
   const Counted run = counted(planned);
-  const auto guessed = [&](const RoughRoom& room) {
+  const auto guessed = [&](const RoughLimits& room) {
     return roughSurface(planned.input(), room, std::nullopt, Options().components, planned.run)
         .crossings;
   };
   const double all = guessed({1e9, 1e9, 1e9});
   EXPECT_NEAR(all, run.crossings, 0.01 * run.crossings);
   const double faces = static_cast<double>(planned.p.body.mesh.triangles.size());
-  for (const RoughRoom& room :
-       {RoughRoom{1e9, run.sorted / 30, 1e9}, RoughRoom{1e9, 1e9, 20 * faces}}) {
+  for (const RoughLimits& room :
+       {RoughLimits{1e9, run.sorted / 30, 1e9}, RoughLimits{1e9, 1e9, 20 * faces}}) {
     EXPECT_NE(guessed(room), all);
     EXPECT_NEAR(guessed(room), run.crossings, 0.2 * run.crossings);
   }

@@ -201,10 +201,10 @@ TEST(Culling, PartsOfAMotionAreSampledAsInTheWhole) {
     input.crossings = &whole;
     sampleCpu(input, run);
     input.crossings = &part;
-    const PlaceGroups all(input, clusters, run);
+    const PlacementGroups all(input, clusters, run);
     for (const PlacementRange& range : {PlacementRange{0, 400}, {400, 421}, {421, 1500}}) {
-      PlaceGroups::Trial trial{{range}};
-      const PlaceGroups groups(input, clusters, run, &trial);
+      PlacementGroups::Trial trial{{range}};
+      const PlacementGroups groups(input, clusters, run, &trial);
       EXPECT_EQ(groups.empty(), all.empty());
       input.only = range;
       input.groups = &groups;

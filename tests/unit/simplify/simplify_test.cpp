@@ -174,7 +174,7 @@ TEST(Simplify, SheetsNearEachOtherDoNotMeet) {
   RunContext run;
   ASSERT_EQ(checkMesh(mesh, run).selfIntersections, 0);
   const Simplifier kept(mesh, std::vector<double>(mesh.vertices.size()), 0.3);
-  const Simplified cut = kept.cut(0.2, run);
+  const Simplified cut = kept.simplifyTo(0.2, run);
   EXPECT_EQ(checkMesh(cut.mesh, run).selfIntersections, 0);
   EXPECT_LE(cut.deviation, 0.2);
   EXPECT_LT(cut.mesh.triangles.size(), count);
@@ -336,7 +336,7 @@ TEST(Deviation, NamesWhatIsMissedAndWhatStrays) {
   const Deviation missed = measure(spiked, ball);
   EXPECT_NEAR(missed.largest, 1, 0.01);
   ASSERT_FALSE(missed.missed.empty());
-  for (const FarPlace& place : missed.missed) {
+  for (const FarPoint& place : missed.missed) {
     EXPECT_LT((place.onOriginal - spiked.vertices[7]).norm(), 0.8);
     EXPECT_GT((place.onOriginal - place.onResult).norm(), 0.3);
     EXPECT_NEAR((place.onOriginal - place.onResult).norm(), distanceTo(ball, place.onOriginal),
@@ -353,7 +353,7 @@ TEST(Deviation, NamesWhatIsMissedAndWhatStrays) {
     if (std::find(c.begin(), c.end(), 7) != c.end()) about.push_back(static_cast<std::int32_t>(t));
   }
   std::vector<std::int32_t> named;
-  for (const FarPlace& place : strays.strays) {
+  for (const FarPoint& place : strays.strays) {
     named.push_back(place.triangle);
     EXPECT_NEAR((place.onOriginal - place.onResult).norm(), distanceTo(ball, place.onResult), 1e-9);
     EXPECT_GT((place.onOriginal - place.onResult).norm(), 0.3);

@@ -53,19 +53,19 @@ class LabelledFaces : public testing::Test {
     ASSERT_EQ(result_.report.status, Status::Ok) << result_.report.message;
   }
 
-  StepOptions optionsWithOrigin() const {
+  SolidOptions optionsWithOrigin() const {
     Eigen::AlignedBox3d box;
     for (const Vector3d& p : result_.mesh.vertices) box.extend(p);
-    StepOptions options;
+    SolidOptions options;
     options.tolerance = 1e-3 * box.diagonal().norm();
     options.origin = std::make_shared<const SolidOrigin>(
         SolidOrigin{result_.sources, motion_, body_.shape, body_.chordError});
     return options;
   }
 
-  StepReport write(const StepOptions& options) {
+  WrittenSolid write(const SolidOptions& options) {
     const std::string file = folder_.file("envelope.step");
-    const StepReport report = writeSolid(result_.mesh, file, options, run_);
+    const WrittenSolid report = writeSolid(result_.mesh, file, options, run_);
     judged_ = judgeSolid(readShape(file), 9, true);
     kinds_.clear();
     for (const auto& [kind, count] : report.facesByKind) kinds_[kind] = count;
@@ -74,8 +74,8 @@ class LabelledFaces : public testing::Test {
 
   // Tests that the solid has the exact volume, as with exact faces. No mesh has this volume.
   void expectExact(double volume) {
-    const StepOptions options = optionsWithOrigin();
-    const StepReport report = write(options);
+    const SolidOptions options = optionsWithOrigin();
+    const WrittenSolid report = write(options);
     EXPECT_EQ(kinds_["facet"], 0);
     EXPECT_NEAR(report.volume, volume, 1e-6 * volume);
     EXPECT_LE(report.deviation, 0.01);
@@ -129,8 +129,8 @@ TEST_F(LabelledFaces, ATurnGivesNoWorseSolidThanBefore) {
   readBodyOf(boxMesh(12, 8, 5));
   sweep({{0, 0, 0}, {7, 4, 9}},
         Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Vector3d(1, 2, 3).normalized())));
-  const StepOptions options = optionsWithOrigin();
-  const StepReport report = write(options);
+  const SolidOptions options = optionsWithOrigin();
+  const WrittenSolid report = write(options);
   EXPECT_TRUE(judged_.valid);
   EXPECT_LE(report.edgeTolerance, options.tolerance);
   EXPECT_NEAR(report.volume, report.meshVolume, 1e-2 * report.meshVolume);
@@ -139,7 +139,7 @@ TEST_F(LabelledFaces, ATurnGivesNoWorseSolidThanBefore) {
 TEST_F(LabelledFaces, RefusesSourcesOfAnotherMesh) {
   readBodyOf(boxMesh(12, 8, 5));
   sweep({{0, 0, 0}, {7, 4, 9}}, none_);
-  StepOptions options = optionsWithOrigin();
+  SolidOptions options = optionsWithOrigin();
   SolidOrigin origin = *options.origin;
   origin.sources.of.pop_back();
   options.origin = std::make_shared<const SolidOrigin>(origin);

@@ -82,11 +82,11 @@ class Profiles : public testing::Test {
   }
   void TearDown() override { fs::remove(file_); }
 
-  StepReport write(const TriMesh& mesh, double tolerance) {
-    StepOptions options;
+  WrittenSolid write(const TriMesh& mesh, double tolerance) {
+    SolidOptions options;
     options.tolerance = tolerance;
     RunContext run;
-    const StepReport report = writeSolid(mesh, file_.string(), options, run);
+    const WrittenSolid report = writeSolid(mesh, file_.string(), options, run);
     kinds_.clear();
     for (const auto& [kind, count] : report.facesByKind) kinds_[kind] = count;
     EXPECT_TRUE(report.valid);
@@ -139,7 +139,7 @@ TEST_F(Profiles, CurveThroughPointsOfAnEllipse) {
 
 TEST_F(Profiles, EllipticPrismIsAnExtrusion) {
   const TriMesh mesh = transformed(prism(ellipse(12, 7, 360), 30, 12), oddTurn(), {5, -40, 11});
-  const StepReport report = write(mesh, 0.02);
+  const WrittenSolid report = write(mesh, 0.02);
   EXPECT_GE(kinds_["extrusion"], 1);
   EXPECT_EQ(kinds_["facet"], 0);
   EXPECT_LE(report.faces, 6);
@@ -148,7 +148,7 @@ TEST_F(Profiles, EllipticPrismIsAnExtrusion) {
 
 TEST_F(Profiles, CloverPrismIsAnExtrusion) {
   const TriMesh mesh = transformed(prism(clover(10, 480), 25, 12), oddTurn(), {0, 0, 0});
-  const StepReport report = write(mesh, 0.02);
+  const WrittenSolid report = write(mesh, 0.02);
   EXPECT_GE(kinds_["extrusion"], 1);
   EXPECT_EQ(kinds_["facet"], 0);
   EXPECT_LE(report.faces, 6);
@@ -157,7 +157,7 @@ TEST_F(Profiles, CloverPrismIsAnExtrusion) {
 
 TEST_F(Profiles, VaseIsARevolution) {
   const TriMesh mesh = transformed(vase(70, 150), oddTurn(), {3, 8, -2});
-  const StepReport report = write(mesh, 0.03);
+  const WrittenSolid report = write(mesh, 0.03);
   EXPECT_GE(kinds_["revolution"], 1);
   EXPECT_EQ(kinds_["facet"], 0);
   EXPECT_LE(report.faces, 6);
@@ -168,7 +168,7 @@ TEST_F(Profiles, EllipticRingIsARevolution) {
   std::vector<Eigen::Vector2d> profile;
   for (const Eigen::Vector2d& p : ellipse(6, 3, 72)) profile.push_back({p.x() + 20, p.y()});
   const TriMesh mesh = transformed(revolved(profile, true, 180), oddTurn(), {1, 2, 3});
-  const StepReport report = write(mesh, 0.03);
+  const WrittenSolid report = write(mesh, 0.03);
   EXPECT_GE(kinds_["revolution"], 1);
   EXPECT_EQ(kinds_["facet"], 0);
   EXPECT_LE(report.faces, 8);
@@ -180,7 +180,7 @@ TEST_F(Profiles, SweptEllipticDisc) {
   const TriMesh body = transformed(prism(ellipse(12, 7, 240), 4, 4), oddTurn(), {0, 0, 0});
   for (const Eigen::Vector3d& travel : {Eigen::Vector3d(0, 0, 25), Eigen::Vector3d(14, 3, 20)}) {
     const TriMesh mesh = swept(body, along(oddTurn() * travel), 96);
-    const StepReport report = write(mesh, tolerances(mesh));
+    const WrittenSolid report = write(mesh, tolerances(mesh));
     EXPECT_GE(kinds_["extrusion"], 1);
     EXPECT_EQ(kinds_["facet"], 0);
     EXPECT_LE(report.faces, 20);

@@ -34,11 +34,11 @@ class Recognition : public testing::Test {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
   }
-  StepReport write(const TriMesh& mesh, double tolerance, const char* name = "x.step") {
-    StepOptions options;
+  WrittenSolid write(const TriMesh& mesh, double tolerance, const char* name = "x.step") {
+    SolidOptions options;
     options.tolerance = tolerance;
     RunContext run;
-    const StepReport report = writeSolid(mesh, (folder_ / name).string(), options, run);
+    const WrittenSolid report = writeSolid(mesh, (folder_ / name).string(), options, run);
     kinds_.clear();
     for (const auto& [kind, count] : report.facesByKind) kinds_[kind] = count;
     EXPECT_TRUE(report.valid);
@@ -66,7 +66,7 @@ TEST_F(Recognition, TorusIsExact) {
     EXPECT_LT((patch.surface.point - Eigen::Vector3d(5, 7, -9)).norm(), 1e-6);
     EXPECT_LT(patch.deviation, 1e-6);
   }
-  const StepReport report = write(mesh, 0.02);
+  const WrittenSolid report = write(mesh, 0.02);
   EXPECT_EQ(kinds_["torus"], report.faces);
   EXPECT_LE(report.faces, 8);
   EXPECT_NEAR(report.volume, 2 * M_PI * M_PI * 20 * 36, 1e-3);
@@ -88,7 +88,7 @@ TEST_F(Recognition, BoredCylinderHasPlanesAndTwoCylinders) {
   }
   EXPECT_TRUE(bore);
   for (const char* name : {"bored.step", "bored.brep"}) {
-    const StepReport report = write(mesh, 0.01, name);
+    const WrittenSolid report = write(mesh, 0.01, name);
     EXPECT_EQ(kinds_["cylinder"], 4) << name;
     EXPECT_EQ(kinds_["plane"], 2) << name;
     EXPECT_EQ(report.faces, 6) << name;
@@ -107,7 +107,7 @@ TEST_F(Recognition, ConeAndSphereMeetInACircle) {
     profile.emplace_back(i == 12 ? 0.0 : 13 * std::cos(a), -2 + 13 * std::sin(a));
   }
   const TriMesh mesh = revolved(profile, false, 200);
-  const StepReport report = write(mesh, 0.01);
+  const WrittenSolid report = write(mesh, 0.01);
   EXPECT_GE(kinds_["cone"], 1);
   EXPECT_GE(kinds_["sphere"], 1);
   EXPECT_EQ(kinds_["plane"], 1);
@@ -130,7 +130,7 @@ TEST_F(Recognition, SweptBoxIsItsPolyhedron) {
   RunContext run;
   const Result result = compute(body, trajectory, options, run);
   ASSERT_EQ(result.report.status, Status::Ok) << result.report.message;
-  const StepReport report = write(result.mesh, 0.05);
+  const WrittenSolid report = write(result.mesh, 0.05);
   EXPECT_EQ(report.faces, 12);
   EXPECT_EQ(report.edges, 24);
   EXPECT_EQ(kinds_["plane"], 12);
@@ -155,7 +155,7 @@ TEST_F(Recognition, SweptBallIsSphereAndCylinder) {
   RunContext run;
   const Result result = compute(revolved(profile, false, 2 * kSteps), trajectory, options, run);
   ASSERT_EQ(result.report.status, Status::Ok) << result.report.message;
-  const StepReport report = write(result.mesh, 0.04);
+  const WrittenSolid report = write(result.mesh, 0.04);
   EXPECT_LE(report.faces, 20);
   EXPECT_EQ(kinds_["facet"], 0);
   EXPECT_GE(kinds_["sphere"], 2);
@@ -171,7 +171,7 @@ TEST_F(Recognition, FreeFormIsSimplifiedWithinTheTolerance) {
          0.03 * std::sin(0.4 * p.z());
   }
   const double tolerance = 0.05;
-  const StepReport report = write(mesh, tolerance);
+  const WrittenSolid report = write(mesh, tolerance);
   EXPECT_LT(report.faces, 6000);
   EXPECT_GT(report.deviation, 0);
   EXPECT_LE(report.deviation, tolerance * 1.0001);
@@ -219,7 +219,7 @@ TEST_F(Recognition, BordersOfOpenGroundStayOnTheirSurface) {
     ++borders;
   }
   EXPECT_GT(borders, 10);
-  const StepReport report = write(postOnWaves(radius), tolerance);
+  const WrittenSolid report = write(postOnWaves(radius), tolerance);
   EXPECT_GE(kinds_["cylinder"], 1);
   EXPECT_GT(kinds_["facet"], 100);
   EXPECT_LE(report.deviation, tolerance * 1.0001);

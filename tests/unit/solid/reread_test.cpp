@@ -34,7 +34,7 @@ class Reread : public testing::Test {
   RunContext run_;
   step::KernelSession kernel_;
   step::HalfEdgeMesh mesh_;
-  StepOptions options_;
+  SolidOptions options_;
   BRep_Builder builder_;
   const TopoDS_Shape box_ = BRepPrimAPI_MakeBox(10, 15, 20).Shape();  // the solid of the mesh
 };

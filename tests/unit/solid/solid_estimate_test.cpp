@@ -63,7 +63,7 @@ class SolidEstimates : public testing::TestWithParam<Case> {};
 TEST_P(SolidEstimates, ATrialKnowsFacesAndBytes) {
   const Case& one = GetParam();
   const TriMesh mesh = one.mesh();
-  StepOptions options;
+  SolidOptions options;
   options.tolerance = one.tolerance;
   options.maxFaces = one.maxFaces;
   options.recognise = one.recognise;
@@ -72,7 +72,7 @@ TEST_P(SolidEstimates, ATrialKnowsFacesAndBytes) {
   const SolidEstimate bound = guessSolid(mesh, options, format, run);
   const SolidEstimate estimate = trySolid(mesh, options, format, run);
   const TemporaryFolder folder;
-  const StepReport report =
+  const WrittenSolid report =
       writeSolid(mesh, folder.file(std::string("x.") + one.suffix), options, run);
   EXPECT_TRUE(estimate.tried);
   EXPECT_FALSE(bound.tried);
@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(All, SolidEstimates,
 // The trial refuses what writing would refuse, with the same message.
 TEST(SolidTrial, RefusesWhatWritingRefuses) {
   const TemporaryFolder folder;
-  const auto refusalOf = [&](const TriMesh& mesh, const StepOptions& options, bool write) {
+  const auto refusalOf = [&](const TriMesh& mesh, const SolidOptions& options, bool write) {
     RunContext run;
     try {
       write ? void(writeSolid(mesh, folder.file("x.step"), options, run))
@@ -115,18 +115,18 @@ TEST(SolidTrial, RefusesWhatWritingRefuses) {
     }
     return std::string();
   };
-  StepOptions exact;
+  SolidOptions exact;
   exact.exact = true;
   exact.maxFaces = 100;
-  StepOptions both = exact;
+  SolidOptions both = exact;
   both.tolerance = 0.1;
-  StepOptions small;
+  SolidOptions small;
   small.maxMegabytes = 1e-4;
   TriMesh open = torus();
   open.triangles.pop_back();
   for (const auto& [mesh, options] :
        {std::pair(wavyTorus(), exact), std::pair(wavyTorus(), both), std::pair(wavyTorus(), small),
-        std::pair(open, StepOptions())}) {
+        std::pair(open, SolidOptions())}) {
     const std::string words = refusalOf(mesh, options, true);
     EXPECT_NE(words, "");
     EXPECT_EQ(refusalOf(mesh, options, false), words);

@@ -7,8 +7,8 @@
 namespace swept {
 namespace {
 
-StepReport reportOf(double tolerance, double deviation) {
-  StepReport report;
+WrittenSolid reportOf(double tolerance, double deviation) {
+  WrittenSolid report;
   report.tolerance = tolerance;
   report.deviation = deviation;
   report.volume = 99;
@@ -17,7 +17,7 @@ StepReport reportOf(double tolerance, double deviation) {
 }
 
 TEST(SolidFindings, ADeviationAboveTheToleranceIsInaccurate) {
-  StepOptions options;
+  SolidOptions options;
   options.tolerance = 0.5;
   const auto found = solidFindings(reportOf(0.5, 0.51), options);
   ASSERT_EQ(found.size(), 1u);
@@ -27,7 +27,7 @@ TEST(SolidFindings, ADeviationAboveTheToleranceIsInaccurate) {
 }
 
 TEST(SolidFindings, AToleranceThatTheLimitsChoseIsNamed) {
-  const StepOptions exact;
+  const SolidOptions exact;
   EXPECT_TRUE(solidFindings(reportOf(0, 0), exact).empty());
   const auto found = solidFindings(reportOf(0.5, 0.4), exact);
   ASSERT_EQ(found.size(), 1u);

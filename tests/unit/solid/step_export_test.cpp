@@ -38,13 +38,14 @@ class StepExport : public testing::Test {
   std::size_t filesIn(const fs::path& folder) const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
   }
-  StepReport write(const TriMesh& mesh, const std::string& name, const StepOptions& options = {}) {
+  WrittenSolid write(const TriMesh& mesh, const std::string& name,
+                     const SolidOptions& options = {}) {
     RunContext run;
     return writeSolid(mesh, path(name), options, run);
   }
   /// Returns the code of the failure; empty if there was none.
   std::string failure(const TriMesh& mesh, const std::string& target,
-                      const StepOptions& options = {}) {
+                      const SolidOptions& options = {}) {
     RunContext run;
     try {
       writeSolid(mesh, target, options, run);
@@ -72,7 +73,7 @@ class StepExport : public testing::Test {
 TEST_F(StepExport, BoxOfManyTrianglesBecomesSixFaces) {
   const TriMesh mesh = transformed(boxMesh(7, 5, 3, 1.3), oddTurn(), {100, -20, 3});
   for (const char* name : {"box.step", "box.stp", "box.brep", "box.brp"}) {
-    const StepReport report = write(mesh, name);
+    const WrittenSolid report = write(mesh, name);
     EXPECT_EQ(report.faces, 6) << name;
     EXPECT_EQ(report.edges, 12) << name;
     EXPECT_EQ(report.solids, 1) << name;
@@ -86,9 +87,9 @@ TEST_F(StepExport, BoxOfManyTrianglesBecomesSixFaces) {
 
 TEST_F(StepExport, WithoutMergingEveryTriangleIsAFace) {
   const TriMesh mesh = boxMesh(2, 2, 2);
-  StepOptions options;
+  SolidOptions options;
   options.mergeCoplanar = false;
-  const StepReport report = write(mesh, "box.step", options);
+  const WrittenSolid report = write(mesh, "box.step", options);
   EXPECT_EQ(report.faces, 48);
   EXPECT_EQ(report.edges, 72);
 }
@@ -97,7 +98,7 @@ TEST_F(StepExport, HolesStayHolesInTheirFace) {
   // A frame: 4 x 4 x 1 with the middle 2 x 2 missing.
   const TriMesh frame =
       voxelMesh([](int i, int j, int) { return i == 0 || i == 3 || j == 0 || j == 3; }, 4, 4, 1);
-  const StepReport report = write(transformed(frame, oddTurn(), {0, 0, 0}), "frame.step");
+  const WrittenSolid report = write(transformed(frame, oddTurn(), {0, 0, 0}), "frame.step");
   EXPECT_EQ(report.faces, 10);
   EXPECT_EQ(report.edges, 24);
   EXPECT_NEAR(report.volume, 12, 1e-9);
@@ -116,7 +117,7 @@ TEST_F(StepExport, FaceWhoseOutlineTouchesItselfInAVertex) {
         return !(i == 1 && j == 1 && k == 0) && !(i == 2 && j == 2 && k == 1);
       },
       4, 4, 2);
-  const StepReport report = write(good, "good.step");
+  const WrittenSolid report = write(good, "good.step");
   EXPECT_TRUE(report.valid);
   EXPECT_NEAR(report.volume, 30, 1e-9);
 }
@@ -128,7 +129,7 @@ TEST_F(StepExport, CavitiesAreInnerShellsOfTheirSolid) {
   for (auto& p : other.vertices) p.x() += 10;
   append(mesh, other);
   for (const char* name : {"two.step", "two.brep"}) {
-    const StepReport report = write(mesh, name);
+    const WrittenSolid report = write(mesh, name);
     EXPECT_EQ(report.solids, 2) << name;
     EXPECT_EQ(report.faces, 24) << name;
     EXPECT_NEAR(report.volume, 124 + 63, 1e-9) << name;
@@ -142,14 +143,14 @@ TEST_F(StepExport, BodyInsideACavityIsASolidOfItsOwn) {
         return far == 3 || far == 0;
       },
       7, 7, 7);
-  const StepReport report = write(mesh, "nested.step");
+  const WrittenSolid report = write(mesh, "nested.step");
   EXPECT_EQ(report.solids, 2);
   EXPECT_NEAR(report.volume, 343 - 125 + 1, 1e-9);
 }
 
 TEST_F(StepExport, CurvedMeshKeepsItsFacets) {
   const TriMesh mesh = makeTorus(20, 6, 24, 12);
-  const StepReport report = write(mesh, "torus.step");
+  const WrittenSolid report = write(mesh, "torus.step");
   EXPECT_TRUE(report.valid);
   EXPECT_EQ(report.solids, 1);
   EXPECT_LE(report.faces, 24 * 12 * 2);
@@ -165,20 +166,20 @@ TEST_F(StepExport, VerticesOffThePlaneAreMergedOnlyWithinTheTolerance) {
       p[k] += 1e-3 * (static_cast<double>(seed >> 8U) / (1U << 24U) - 0.5);
     }
   }
-  StepOptions loose;
+  SolidOptions loose;
   loose.planarTolerance = 2e-3;
-  const StepReport merged = write(mesh, "merged.step", loose);
+  const WrittenSolid merged = write(mesh, "merged.step", loose);
   EXPECT_EQ(merged.faces, 6);
   EXPECT_EQ(merged.edges, 12);
   EXPECT_TRUE(merged.valid);
   EXPECT_NEAR(merged.volume, 1728, 864 * 2e-3);
-  const StepReport faceted = write(mesh, "faceted.step");
+  const WrittenSolid faceted = write(mesh, "faceted.step");
   EXPECT_GT(faceted.faces, 400);
   EXPECT_TRUE(faceted.valid);
 }
 
 TEST_F(StepExport, SchemaUnitNamesAndAuthorStandInTheFile) {
-  StepOptions options;
+  SolidOptions options;
   options.productName = "H\xC3\xBClle 'A\\B' \xE6\x8E\x83";
   options.author = "M. M\xC3\xBCller";
   options.organization = "Works";
@@ -277,7 +278,7 @@ TEST_F(StepExport, BadInput38FoldersThatCannotTakeTheFile) {
 }
 
 TEST_F(StepExport, BadInput39TooManyFaces) {
-  StepOptions options;
+  SolidOptions options;
   options.tolerance = 0.001;
   options.recognise = false;
   options.maxFaces = 100;
@@ -299,10 +300,10 @@ TEST_F(StepExport, BadInput39TooManyFaces) {
 TEST_F(StepExport, ManyFacetsAreWrittenByTheirCorners) {
   TriMesh mesh = makeTorus(20, 6, 150, 70);
   for (auto& p : mesh.vertices) p *= 1 + 0.02 * std::sin(0.4 * p.x()) * std::cos(0.3 * p.y());
-  StepOptions options;
+  SolidOptions options;
   options.mergeCoplanar = false;
   options.maxFaces = 30000;
-  const StepReport report = write(mesh, "many.step", options);
+  const WrittenSolid report = write(mesh, "many.step", options);
   EXPECT_EQ(report.faces, 21000);
   EXPECT_EQ(report.edges, 31500);
   EXPECT_EQ(report.solids, 1);
@@ -317,7 +318,7 @@ TEST_F(StepExport, ManyFacetsAreWrittenByTheirCorners) {
 
 // An exact solid is refused, not simplified.
 TEST_F(StepExport, ExactIsNotSimplified) {
-  StepOptions options;
+  SolidOptions options;
   options.exact = true;
   options.maxFaces = 100;
   EXPECT_EQ(failure(makeTorus(20, 6, 24, 12), path("x.step"), options), "TooManyFaces");
@@ -336,18 +337,18 @@ TEST_F(StepExport, ExactIsNotSimplified) {
 TEST_F(StepExport, LimitsChooseTheTolerance) {
   TriMesh mesh = makeTorus(20, 6, 60, 24);
   for (auto& p : mesh.vertices) p *= 1 + 0.02 * std::sin(0.4 * p.x()) * std::cos(0.3 * p.y());
-  const StepReport exact = write(mesh, "exact.step");
+  const WrittenSolid exact = write(mesh, "exact.step");
   EXPECT_EQ(exact.tolerance, 0);
   EXPECT_GT(exact.faces, 1500);
-  StepOptions options;
+  SolidOptions options;
   options.maxFaces = 700;
-  const StepReport faces = write(mesh, "faces.step", options);
+  const WrittenSolid faces = write(mesh, "faces.step", options);
   EXPECT_LE(faces.faces, 700);
   EXPECT_GT(faces.tolerance, 0);
   EXPECT_NEAR(faces.volume, exact.volume, 2600 * 2 * faces.tolerance);
   options.maxFaces = 20000;
   options.maxMegabytes = 0.5;
-  const StepReport bytes = write(mesh, "bytes.step", options);
+  const WrittenSolid bytes = write(mesh, "bytes.step", options);
   EXPECT_GT(bytes.tolerance, 0);
   EXPECT_LE(bytes.fileBytes, 500000U);
 }
@@ -357,7 +358,7 @@ TEST_F(StepExport, EstimateIsOfTheRightSize) {
   RunContext run;
   const SolidEstimate estimate = guessSolid(mesh, {}, SolidFormat::Step, run);
   EXPECT_EQ(estimate.triangles, 2880);
-  const StepReport report = write(mesh, "torus.step");
+  const WrittenSolid report = write(mesh, "torus.step");
   EXPECT_EQ(estimate.faces, report.faces);
   EXPECT_NEAR(estimate.megabytes, 1e-6 * static_cast<double>(report.fileBytes),
               0.5 * estimate.megabytes);
@@ -459,7 +460,7 @@ TEST_F(StepExport, TwoThreadsAtOnce) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
     threads.emplace_back([&, i] {
       RunContext run;
-      StepOptions options;
+      SolidOptions options;
       options.schema = i < 2 ? StepSchema::Ap214 : StepSchema::Ap242;
       faces[i] =
           writeSolid(i % 2 == 0 ? a : b, path(std::to_string(i) + ".step"), options, run).faces;

@@ -143,11 +143,11 @@ TEST_P(ForSuppliers, TheCheckFindsNothing) {
   ASSERT_EQ(result.report.status, Status::Ok) << result.report.message;
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : result.mesh.vertices) box.extend(p);
-  StepOptions step;
+  SolidOptions step;
   step.tolerance = 1e-3 * box.diagonal().norm();
   const fs::path file = fs::temp_directory_path() /
                         ("supplier-" + std::to_string(os::processId()) + "-" + one.name + ".step");
-  const StepReport report = writeSolid(result.mesh, file.string(), step, run);
+  const WrittenSolid report = writeSolid(result.mesh, file.string(), step, run);
   const auto judged = judgeSolid(readShape(file.string()), 9, true);
   fs::remove(file);
   EXPECT_EQ(report.note, "");

@@ -62,12 +62,12 @@ class SweptBodies : public testing::TestWithParam<int> {
     ASSERT_EQ(result.report.status, Status::Ok) << result.report.message;
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& p : result.mesh.vertices) box.extend(p);
-    StepOptions stepOptions;
+    SolidOptions stepOptions;
     stepOptions.tolerance = 1e-3 * box.diagonal().norm();
     const fs::path file =
         fs::temp_directory_path() / ("swept-bodies-" + std::to_string(os::processId()) + "-" +
                                      std::to_string(GetParam()) + ".step");
-    const StepReport report = writeSolid(result.mesh, file.string(), stepOptions, run);
+    const WrittenSolid report = writeSolid(result.mesh, file.string(), stepOptions, run);
     fs::remove(file);
     kinds_.clear();
     for (const auto& [kind, count] : report.facesByKind) kinds_[kind] = count;

@@ -27,12 +27,12 @@ class Tessellated : public testing::Test {
             ("swept-tessellated-" + std::to_string(os::processId()) + ".stp");
   }
   void TearDown() override { fs::remove(file_); }
-  StepReport write(const TriMesh& mesh, const StepOptions& options) {
+  WrittenSolid write(const TriMesh& mesh, const SolidOptions& options) {
     RunContext run;
     return writeSolid(mesh, file_.string(), options, run);
   }
-  static StepOptions options() {
-    StepOptions result;
+  static SolidOptions options() {
+    SolidOptions result;
     result.schema = parseStepSchema("ap242-tessellated");
     return result;
   }
@@ -48,7 +48,7 @@ class Tessellated : public testing::Test {
       ++found;
     return found;
   }
-  std::string codeOf(const TriMesh& mesh, const StepOptions& options) {
+  std::string codeOf(const TriMesh& mesh, const SolidOptions& options) {
     try {
       write(mesh, options);
     } catch (const Error& error) {
@@ -61,7 +61,7 @@ class Tessellated : public testing::Test {
 
 TEST_F(Tessellated, HoldsTheTrianglesOfTheMesh) {
   const TriMesh mesh = transformed(makeTorus(20, 6, 60, 24), oddTurn(), {1e4, -3, 0.5});
-  const StepReport report = write(mesh, options());
+  const WrittenSolid report = write(mesh, options());
   EXPECT_TRUE(report.valid);
   EXPECT_EQ(report.solids, 1);
   EXPECT_EQ(report.faces, static_cast<std::int64_t>(mesh.triangles.size()));
@@ -89,7 +89,7 @@ TEST_F(Tessellated, HollowSpacesBelongToTheirSolid) {
   // Two boxes of 3 x 3 x 3 cells; the first one is hollow.
   const TriMesh mesh = voxelMesh(
       [](int x, int y, int z) { return x != 3 && !(x == 1 && y == 1 && z == 1); }, 7, 3, 3);
-  const StepReport report = write(mesh, options());
+  const WrittenSolid report = write(mesh, options());
   EXPECT_EQ(report.solids, 2);
   EXPECT_NEAR(report.volume, 27 + 26, 1e-9);
   const std::string all = text();
@@ -98,7 +98,7 @@ TEST_F(Tessellated, HollowSpacesBelongToTheirSolid) {
 }
 
 TEST_F(Tessellated, RefusesWhatItCannotDo) {
-  StepOptions with = options();
+  SolidOptions with = options();
   with.tolerance = 0.1;
   EXPECT_EQ(codeOf(boxMesh(2, 2, 2), with), "BadOption");
   with = options();

@@ -73,12 +73,12 @@ TEST(TextJudge, TheSolidIsTheOneOfTheKernel) {
   const TemporaryFolder folder;
   for (const JudgedBody& one : cases()) {
     SCOPED_TRACE(one.name);
-    StepOptions options;
+    SolidOptions options;
     options.tolerance = one.tolerance;
     Outside reader;
     RunContext run, other;
-    const StepReport kernel = writeSolid(one.mesh, folder.file("kernel.step"), options, run);
-    const StepReport outside =
+    const WrittenSolid kernel = writeSolid(one.mesh, folder.file("kernel.step"), options, run);
+    const WrittenSolid outside =
         writeSolid(one.mesh, folder.file("outside.step"), options, reader, other);
     EXPECT_TRUE(dataOf(folder.file("kernel.step")) == dataOf(folder.file("outside.step")));
     EXPECT_EQ(outside.edges, kernel.edges);
@@ -92,13 +92,13 @@ TEST(TextJudge, TheSolidIsTheOneOfTheKernel) {
 
 TEST(TextJudge, AFaceThatTheReaderRefusesLosesItsSurface) {
   const TemporaryFolder folder;
-  StepOptions options;
+  SolidOptions options;
   options.tolerance = 0.1;
   Outside reader;
   // Refuses checks of few faces: those of the curved faces alone, which make no solid.
   reader.refuses = [](const SolidCheck& check) { return check.faces < 10; };
   RunContext run;
-  const StepReport report =
+  const WrittenSolid report =
       writeSolid(makeTorus(20, 6, 96, 48), folder.file("x.step"), options, reader, run);
   EXPECT_TRUE(report.valid);
   for (const auto& [kind, count] : report.facesByKind) EXPECT_NE(kind, "torus") << count;

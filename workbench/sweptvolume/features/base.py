@@ -62,7 +62,7 @@ class Feature:
         with quietly(obj):
             renamed.move_values(obj, renamed.RENAMED.get(self.KIND, {}))
 
-    def look(self, obj):
+    def refresh_status(self, obj):
         """If there is a stored result, compares its inputs with the present ones, and sets the
         state."""
 

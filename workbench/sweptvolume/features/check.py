@@ -33,7 +33,7 @@ class Check(Result):
         follow_all_visible(obj)
         update_status(obj)
 
-    def look(self, obj):
+    def refresh_status(self, obj):
         update_status(obj)
 
     def onChanged(self, obj, name):

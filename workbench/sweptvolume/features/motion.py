@@ -42,7 +42,7 @@ class Motion(Feature):
             if sources.is_live(obj.SourceType):
                 store(obj, motion_source.read(obj), touch=False)
             poses = poses_of(obj)
-            look(obj)
+            refresh_status(obj)
         except (InputProblem, core.CoreMissing) as problem:
             set_changed(obj, "Status", str(problem))
             status.update_users(obj)  # FreeCAD does not recompute the users of a failed object
@@ -61,12 +61,12 @@ class Motion(Feature):
             motion_source.convert_old_settings(obj)
         motion_source.show_settings(obj)
         if obj.SourceType == "File":  # the file may have changed while the document was closed
-            look(obj)
+            refresh_status(obj)
             if obj.Status:
                 status.update_users(obj)
 
 
-def look(obj):
+def refresh_status(obj):
     """Compares the source with its state when it was read, and updates Status."""
     text = "" if len(obj.Placements) else translate("SweptVolume", "no poses yet")
     if obj.SourceHash and obj.SourceHash != motion_source.signature(obj):
@@ -284,7 +284,6 @@ __all__ = [
     "is_motion",
     "is_stale",
     "label_for",
-    "look",
     "make_motion",
     "make_stored",
     "Motion",
@@ -292,15 +291,16 @@ __all__ = [
     "motion_from_objects",
     "motion_from_poses",
     "motion_from_source",
+    "motion_of_read",
     "parts_of",
     "poses_of",
+    "refresh_status",
     "reload_source",
     "seen_from_document",
     "set_parts",
     "set_tangents",
     "settings_of",
     "STALE",
-    "motion_of_read",
     "store",
     "take",
     "tangents_of",

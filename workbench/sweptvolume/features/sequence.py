@@ -145,7 +145,7 @@ def step_text(step):
     )
 
 
-def told(report):
+def description(report):
     """Returns all texts about a report."""
     lines = [summary(report)]
     if report["verdict"] == "no_order":

@@ -45,7 +45,7 @@ class Shared(Result):
         """Marks the result as stale or current, and keeps the mesh."""
         update_status(obj)
 
-    look = execute
+    refresh_status = execute
 
     def onChanged(self, obj, name):
         missing.changed(obj, name)

@@ -63,7 +63,7 @@ class Solid(Feature):
         """Marks the solid as stale or current, and keeps the shape."""
         update_status(obj)
 
-    look = execute
+    refresh_status = execute
 
     def onChanged(self, obj, name):
         missing.changed(obj, name)

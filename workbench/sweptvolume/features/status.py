@@ -94,7 +94,7 @@ def compare_again(obj):
     """Makes an object of this workbench compare its inputs with its result, outside a recompute of
     the document."""
     with quietly(obj):
-        obj.Proxy.look(obj)
+        obj.Proxy.refresh_status(obj)
 
 
 def update_users(obj):

@@ -44,7 +44,7 @@ class Study(Result):
         """Marks the result as stale or current, and keeps it."""
         update_status(obj)
 
-    def look(self, obj):
+    def refresh_status(self, obj):
         update_status(obj)
 
     def onChanged(self, obj, name):

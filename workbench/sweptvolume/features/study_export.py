@@ -25,7 +25,14 @@ INPUTS = "inputs"
 PAGE = "study.html"
 _MOST_LETTERS = 50
 #: Options of an envelope that have the same names in studies. Values 0 and False are left out.
-_OPTIONS = ("tolerance", "offset", "conservative", "keep_cavities", "position_filter", "chord")
+_OPTIONS = (
+    "tolerance",
+    "offset",
+    "conservative",
+    "keep_cavities",
+    "position_filter",
+    "chord_tolerance",
+)
 
 
 def file_name(label):

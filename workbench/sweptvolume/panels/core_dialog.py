@@ -152,7 +152,7 @@ class CoreDialog(QtWidgets.QDialog):
 
         def ask():
             try:
-                self.found = "\n".join(map(told_source, core_install.sources()))
+                self.found = "\n".join(map(source_text, core_install.sources()))
             except Exception as problem:
                 self.found = str(problem)
 
@@ -221,7 +221,7 @@ class CoreDialog(QtWidgets.QDialog):
         self.close()
 
 
-def told_source(source):
+def source_text(source):
     """Returns the address of a source as users see it: with a remark if the core is not there yet."""
     if core_install.is_unpublished_on(source):
         text = translate("SweptVolume", "{0} (the core is not published there yet)")

@@ -219,7 +219,7 @@ class SequencePanel(SearchPanel):
 
     def found(self, task):
         report = task.outcome.report
-        widgets.show_message(self.message, sequence.told(report))
+        widgets.show_message(self.message, sequence.description(report))
         states = [sequence.step_text(step) for step in report["steps"]]
         if task.obj is not None:
             self.obj = task.obj

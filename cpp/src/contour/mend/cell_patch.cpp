@@ -45,7 +45,7 @@ class Patcher {
     return rings_.size() == 1 || areApart();
   }
 
-  void layers(const Cell& cell, const Crossing* crossings, const CellPlace& place) {
+  void layers(const Cell& cell, const Crossing* crossings, const CellBox& place) {
     patch_ = {};
     patch_.layered = true;
     const RingSides sides(cell, crossings, rings_);
@@ -151,7 +151,7 @@ class Patcher {
 }  // namespace
 
 CellPatch patchOf(const Cell& cell, const Crossing* crossings, const std::vector<CellRing>& rings,
-                  const std::vector<PatchRing>& points, const CellPlace& place) {
+                  const std::vector<PatchRing>& points, const CellBox& place) {
   if (rings.empty()) return {};
   Patcher patcher(rings, points);
   std::size_t most = 0;

@@ -42,7 +42,7 @@ struct CellPatch {
 };
 
 /// Position and size of a cell, in mm.
-struct CellPlace {
+struct CellBox {
   Eigen::Vector3d corner;  ///< its low corner
   double size;
   Eigen::Vector3d toWorld(const Eigen::Vector3d& local) const { return corner + size * local; }
@@ -51,6 +51,6 @@ struct CellPlace {
 
 /// Fills the rings of a cell. `rings` and `points` have the same order.
 CellPatch patchOf(const Cell& cell, const Crossing* crossings, const std::vector<CellRing>& rings,
-                  const std::vector<PatchRing>& points, const CellPlace& place);
+                  const std::vector<PatchRing>& points, const CellBox& place);
 
 }  // namespace swept

@@ -224,7 +224,7 @@ class Rebuilder {
     mesh_.triangles.push_back(triangle);
     surface_.crossingOf.push_back(crossing);
   }
-  CellPlace placeOf(const CellIndex& cell) const {
+  CellBox placeOf(const CellIndex& cell) const {
     return {grid_.plan.origin + grid_.plan.cell * vectorOf(cell).cast<double>(), grid_.plan.cell};
   }
 

@@ -149,7 +149,7 @@ std::vector<std::pair<std::int32_t, std::int32_t>> compareEntangled(
           for (std::uint32_t u = q.first; u < q.first + q.count; ++u) {
             const auto low = static_cast<std::int32_t>(std::min(t, u));
             const auto high = static_cast<std::int32_t>(std::max(t, u));
-            if (meetWrongly(surface.mesh, low, high)) part.emplace_back(low, high);
+            if (trianglesIntersectFast(surface.mesh, low, high)) part.emplace_back(low, high);
           }
         }
       });

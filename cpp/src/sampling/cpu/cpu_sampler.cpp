@@ -164,8 +164,8 @@ class UnionSampler {
     }
   }
   /// Samples only the faces that can matter (step_blocks.h).
-  void sampleShown(const WorkItem& item, const FaceClusters& clusters, const PlaceGroups& groups,
-                   RunContext& run) {
+  void sampleShown(const WorkItem& item, const FaceClusters& clusters,
+                   const PlacementGroups& groups, RunContext& run) {
     StepBlocks blocks(input_, clusters, groups, item.begin, item.end);
     blocks.forPlacements([&](std::size_t) { run.checkpoint(Phase::Sampling); },
                          [&](std::size_t k, const ShownClusters& shown) {
@@ -201,8 +201,8 @@ class UnionSampler {
 /// Samples one work item of a continuous motion.
 class SweepSampler {
  public:
-  SweepSampler(const SamplerInput& input, const FaceClusters& clusters, const PlaceGroups& groups,
-               RecordChunk& out, CrossingBudget& budget)
+  SweepSampler(const SamplerInput& input, const FaceClusters& clusters,
+               const PlacementGroups& groups, RecordChunk& out, CrossingBudget& budget)
       : input_(input),
         clusters_(clusters),
         groups_(groups),
@@ -246,7 +246,7 @@ class SweepSampler {
  private:
   const SamplerInput& input_;
   const FaceClusters& clusters_;
-  const PlaceGroups& groups_;
+  const PlacementGroups& groups_;
   std::size_t steps_;
   KeptElements kept_;
   ItemSampler sampler_;
@@ -275,9 +275,9 @@ MarkedEdges sampleCpu(const SamplerInput& input, RunContext& run) {
       if (cached[i] != 0) input.cache->countHit();
     }
   }
-  std::optional<PlaceGroups> ownGroups;
+  std::optional<PlacementGroups> ownGroups;
   if (input.groups == nullptr) ownGroups.emplace(input, clusters, run);
-  const PlaceGroups& groups = input.groups != nullptr ? *input.groups : *ownGroups;
+  const PlacementGroups& groups = input.groups != nullptr ? *input.groups : *ownGroups;
   CrossingBudget budget(run, input.grid.cell);
   // Each thread has its own buffers, which keep their capacity, and its own posed vertices for a
   // union.

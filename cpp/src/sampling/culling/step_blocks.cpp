@@ -44,7 +44,8 @@ std::vector<std::uint32_t> groupsOf(const std::vector<PlacementRange>& ranges,
 
 }  // namespace
 
-PlaceBounds::PlaceBounds(const SamplerInput& input, const FaceClusters& clusters) : input_(input) {
+PlacementBounds::PlacementBounds(const SamplerInput& input, const FaceClusters& clusters)
+    : input_(input) {
   Eigen::AlignedBox3d box;
   for (const FaceCluster& c : clusters.clusters) box.extend(c.centre);
   centre_ = box.center();
@@ -53,7 +54,7 @@ PlaceBounds::PlaceBounds(const SamplerInput& input, const FaceClusters& clusters
   }
 }
 
-PlaceBounds::Box PlaceBounds::boxOf(std::size_t k) const {
+PlacementBounds::Box PlacementBounds::boxOf(std::size_t k) const {
   const auto one = [&](std::size_t at) {
     const Placement p = input_.grid.toGrid(input_.motion.placements[at]);
     Box box;
@@ -66,19 +67,19 @@ PlaceBounds::Box PlaceBounds::boxOf(std::size_t k) const {
   return box;
 }
 
-PlaceBlock PlaceBounds::blockOf(const Box& box) {
+PlacementBlock PlacementBounds::blockOf(const Box& box) {
   const Box::Map middle = (box.low + box.high) / 2, half = (box.high - box.low) / 2;
-  PlaceBlock block;
+  PlacementBlock block;
   block.turn = middle.head<9>().matrix().reshaped(3, 3);
   block.place = middle.tail<3>().matrix();
   block.turnSpread = half.head<9>().matrix().norm() * kRounding;
-  block.placeSpread = half.tail<3>().matrix().norm() * kRounding;
+  block.positionSpread = half.tail<3>().matrix().norm() * kRounding;
   return block;
 }
 
-bool PlaceBounds::shows(const PlaceBlock& block, const FaceCluster& cluster) const {
+bool PlacementBounds::shows(const PlacementBlock& block, const FaceCluster& cluster) const {
   const Eigen::Vector3d arm = cluster.centre - centre_;
-  const double reach = cluster.radius / input_.grid.cell * kRounding + block.placeSpread +
+  const double reach = cluster.radius / input_.grid.cell * kRounding + block.positionSpread +
                        block.turnSpread * (arm.norm() + cluster.radius) + kSnapReach;
   if (reach > 0.5 && !hasInside()) return true;
   const Eigen::Array3d at = (block.turn * arm + block.place).array();
@@ -86,7 +87,7 @@ bool PlaceBounds::shows(const PlaceBlock& block, const FaceCluster& cluster) con
   return meetsLines(low, high) && !(hasInside() && input_.inside->hides(low, high));
 }
 
-bool PlaceBounds::shows(const PlaceBlock& block, std::uint32_t face) const {
+bool PlacementBounds::shows(const PlacementBlock& block, std::uint32_t face) const {
   std::array<Eigen::Vector3d, 3> corner;
   double farthest = 0;
   for (std::size_t n = 0; n < 3; ++n) {
@@ -94,15 +95,15 @@ bool PlaceBounds::shows(const PlaceBlock& block, std::uint32_t face) const {
     farthest = std::max(farthest, arm.norm());
     corner[n] = block.turn * arm + block.place;
   }
-  const double reach = block.placeSpread + block.turnSpread * farthest + kSnapReach;
+  const double reach = block.positionSpread + block.turnSpread * farthest + kSnapReach;
   return !input_.inside->hides(corner, reach);
 }
 
-PlaceGroups::PlaceGroups(const SamplerInput& input, const FaceClusters& clusters, RunContext& run,
-                         Trial* trial) {
+PlacementGroups::PlacementGroups(const SamplerInput& input, const FaceClusters& clusters,
+                                 RunContext& run, Trial* trial) {
   if (input.inside == nullptr) return;
-  const PlaceBounds bounds(input, clusters);
-  std::vector<PlaceBounds::Box> boxes(input.motion.placements.size());
+  const PlacementBounds bounds(input, clusters);
+  std::vector<PlacementBounds::Box> boxes(input.motion.placements.size());
   parallelBlocks(boxes.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) boxes[k] = bounds.boxOf(k);
   });
@@ -123,7 +124,7 @@ PlaceGroups::PlaceGroups(const SamplerInput& input, const FaceClusters& clusters
     parallelFor(decided.size(), [&](std::size_t n) {
       run.checkpoint(Phase::Sampling);
       const std::uint32_t g = decided[n];
-      const PlaceBlock block = PlaceBounds::blockOf(groups[g]);
+      const PlacementBlock block = PlacementBounds::blockOf(groups[g]);
       for (const ShownCluster& s : shown_[around[g]]) {
         const FaceCluster& cluster = clusters.clusters[s.cluster];
         if (!bounds.shows(block, cluster)) continue;
@@ -147,9 +148,9 @@ PlaceGroups::PlaceGroups(const SamplerInput& input, const FaceClusters& clusters
   }
 }
 
-std::vector<PlaceBounds::Box> PlaceGroups::group(const std::vector<PlaceBounds::Box>& boxes,
-                                                 double cells, double radius,
-                                                 std::vector<std::uint32_t>& groupOf) {
+std::vector<PlacementBounds::Box> PlacementGroups::group(
+    const std::vector<PlacementBounds::Box>& boxes, double cells, double radius,
+    std::vector<std::uint32_t>& groupOf) {
   using Key = std::array<std::int32_t, 12>;
   struct KeyHash {
     std::size_t operator()(const Key& key) const {
@@ -162,7 +163,7 @@ std::vector<PlaceBounds::Box> PlaceGroups::group(const std::vector<PlaceBounds::
     }
   };
   std::unordered_map<Key, std::uint32_t, KeyHash> numbers;
-  std::vector<PlaceBounds::Box> groups;
+  std::vector<PlacementBounds::Box> groups;
   groupOf.resize(boxes.size());
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     Key key;
@@ -180,7 +181,7 @@ std::vector<PlaceBounds::Box> PlaceGroups::group(const std::vector<PlaceBounds::
 }
 
 StepBlocks::StepBlocks(const SamplerInput& input, const FaceClusters& clusters,
-                       const PlaceGroups& groups, std::size_t begin, std::size_t end)
+                       const PlacementGroups& groups, std::size_t begin, std::size_t end)
     : clusters_(clusters),
       groups_(groups),
       bounds_(input, clusters),
@@ -193,13 +194,13 @@ StepBlocks::StepBlocks(const SamplerInput& input, const FaceClusters& clusters,
   below_.resize(1 + kMaxLevels);
   if (!groups.empty()) narrows_ = false;  // all groups have been tested already
   if (!narrows_) return;
-  std::vector<PlaceBounds::Box> boxes;
+  std::vector<PlacementBounds::Box> boxes;
   boxes.reserve(end - begin);
   for (std::size_t k = begin; k < end; ++k) boxes.push_back(bounds_.boxOf(k));
   const auto blocksOf = [&] {
-    std::vector<PlaceBlock> blocks;
+    std::vector<PlacementBlock> blocks;
     blocks.reserve(boxes.size());
-    for (const PlaceBounds::Box& box : boxes) blocks.push_back(PlaceBounds::blockOf(box));
+    for (const PlacementBounds::Box& box : boxes) blocks.push_back(PlacementBounds::blockOf(box));
     return blocks;
   };
   single_ = blocksOf();

@@ -13,7 +13,7 @@
 // A block bounds where its placements, and the steps that start at them, carry the body. The bound
 // is an affine map and the largest deviation from it. The map takes the bounding ball of a cluster
 // to a box that contains all its copies and side patches. There are two kinds of blocks: 8 or 64
-// successive placements; and PlaceGroups, which are placements at nearly the same position and
+// successive placements; and PlacementGroups, which are placements at nearly the same position and
 // orientation. A recorded motion often returns to such placements.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -27,18 +27,18 @@ namespace swept {
 
 /// Bounds on a group of placements. Each placement maps a point x of the body to about turn * (x -
 /// centre of the body) + place, in cells.
-struct PlaceBlock {
+struct PlacementBlock {
   Eigen::Matrix3d turn;
   Eigen::Vector3d place;
-  double placeSpread = 0;  ///< largest deviation at the centre, cells
-  double turnSpread = 0;   ///< further deviation, cells per mm of distance from the centre
+  double positionSpread = 0;  ///< largest deviation at the centre, cells
+  double turnSpread = 0;      ///< further deviation, cells per mm of distance from the centre
 };
 
 /// Computes bounds of placements. A placement is treated as a vector of twelve numbers, and a box
 /// bounds each of these numbers.
-class PlaceBounds {
+class PlacementBounds {
  public:
-  PlaceBounds(const SamplerInput& input, const FaceClusters& clusters);
+  PlacementBounds(const SamplerInput& input, const FaceClusters& clusters);
 
   /// Bounds of the nine entries of a matrix and the three of a vector.
   struct Box {
@@ -51,13 +51,13 @@ class PlaceBounds {
   };
   /// Returns bounds of the placement k and of the step that starts there.
   Box boxOf(std::size_t k) const;
-  static PlaceBlock blockOf(const Box& box);
+  static PlacementBlock blockOf(const Box& box);
 
   /// Returns whether the copies and side patches of a cluster at the placements of the block can
   /// matter.
-  bool shows(const PlaceBlock& block, const FaceCluster& cluster) const;
+  bool shows(const PlacementBlock& block, const FaceCluster& cluster) const;
   /// Returns whether the copies of one face can matter. Requires the map of the inside.
-  bool shows(const PlaceBlock& block, std::uint32_t face) const;
+  bool shows(const PlacementBlock& block, std::uint32_t face) const;
   bool hasInside() const { return input_.inside != nullptr; }
   double radius() const { return radius_; }  ///< mm
 
@@ -70,7 +70,7 @@ class PlaceBounds {
 /// Groups of placements that differ by at most a few cells, at any times of the motion, with the
 /// clusters that each group shows. Empty without a map of the inside, or if the motion rarely
 /// returns to the same placements.
-class PlaceGroups {
+class PlacementGroups {
  public:
   /// For a trial: the constructor only decides the groups that contain placements of `only`, and
   /// estimates the time for the other groups.
@@ -79,8 +79,8 @@ class PlaceGroups {
     double secondsOfOthers = 0;  ///< CPU seconds, on one thread
   };
 
-  PlaceGroups(const SamplerInput& input, const FaceClusters& clusters, RunContext& run,
-              Trial* trial = nullptr);
+  PlacementGroups(const SamplerInput& input, const FaceClusters& clusters, RunContext& run,
+                  Trial* trial = nullptr);
 
   bool empty() const { return shown_.empty(); }
   const ShownClusters& shownAt(std::size_t placement) const { return shown_[groupOf_[placement]]; }
@@ -88,9 +88,9 @@ class PlaceGroups {
  private:
   /// Groups placements so that no group is larger than `cells`. Returns the boxes of the groups,
   /// and sets the group of each placement. Ends early if there are too many groups to save time.
-  static std::vector<PlaceBounds::Box> group(const std::vector<PlaceBounds::Box>& boxes,
-                                             double cells, double radius,
-                                             std::vector<std::uint32_t>& groupOf);
+  static std::vector<PlacementBounds::Box> group(const std::vector<PlacementBounds::Box>& boxes,
+                                                 double cells, double radius,
+                                                 std::vector<std::uint32_t>& groupOf);
 
   std::vector<std::uint32_t> groupOf_;  // per placement
   std::vector<ShownClusters> shown_;    // per group
@@ -99,7 +99,7 @@ class PlaceGroups {
 class StepBlocks {
  public:
   /// Builds the blocks for the placements [begin, end).
-  StepBlocks(const SamplerInput& input, const FaceClusters& clusters, const PlaceGroups& groups,
+  StepBlocks(const SamplerInput& input, const FaceClusters& clusters, const PlacementGroups& groups,
              std::size_t begin, std::size_t end);
 
   /// Calls use(placement, shown) in ascending order for all placements at which clusters are shown.
@@ -141,13 +141,13 @@ class StepBlocks {
   const ShownClusters& narrow(std::size_t at, const ShownClusters& above);
 
   const FaceClusters& clusters_;
-  const PlaceGroups& groups_;
-  PlaceBounds bounds_;
+  const PlacementGroups& groups_;
+  PlacementBounds bounds_;
   std::size_t parts_, begin_, end_;
   bool narrows_ = false;  // true if tests of single placements can hide anything
-  std::vector<std::vector<PlaceBlock>> levels_;  // blocks of 8 and of 64 placements
-  std::vector<PlaceBlock> single_;               // single placements
-  std::vector<ShownClusters> below_;             // by level
+  std::vector<std::vector<PlacementBlock>> levels_;  // blocks of 8 and of 64 placements
+  std::vector<PlacementBlock> single_;               // single placements
+  std::vector<ShownClusters> below_;                 // by level
 };
 
 }  // namespace swept

@@ -18,6 +18,10 @@
 
 namespace swept::step {
 
+/// mm: the default tolerance of geometry kernels. Two points closer than this are one, and an edge
+/// this near to its faces needs no larger tolerance.
+constexpr double kKernelTolerance = 1e-7;
+
 enum class CurveKind { Line, Circle, Spline };
 
 struct Curve {

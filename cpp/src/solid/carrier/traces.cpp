@@ -69,7 +69,7 @@ Vector3d slopeAt(const Curve& curve, double t) {
 
 bool isClosed(const Curve& curve) {
   if (curve.kind == CurveKind::Line) return false;
-  return (curve.at(0) - curve.at(curve.last)).norm() < 1e-7;
+  return (curve.at(0) - curve.at(curve.last)).norm() < kKernelTolerance;
 }
 
 double nearestParameter(const Curve& curve, const Vector3d& p) {

@@ -43,6 +43,9 @@ struct CurvePoint {
   Eigen::Vector3d at, slope;
 };
 
+/// mm: largest deviation of a spline from the exact curve that it replaces.
+constexpr double kCurveError = 1e-8;
+
 /// Returns a spline within `bound` of a curve. It consists of cubics with the points and
 /// derivatives of the curve at the breaks. `breaks`: ascending parameters, including both ends.
 /// More are added where needed.

@@ -27,9 +27,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// mm: how far the stored curve may deviate from the curve in the file.
-constexpr double kCurveError = 1e-8;
-
 Vector3d pointOf(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 Vector3d vectorOf(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
 Vector3d vectorOf(const gp_Dir& d) { return {d.X(), d.Y(), d.Z()}; }
@@ -96,18 +93,17 @@ Curve generalCurve(const BRepAdaptor_Curve& curve, double from, double to) {
   };
   // Many files contain lines and circles as splines.
   constexpr int kSamples = 32;
-  constexpr double kSame = 1e-7;
   std::vector<Vector3d> points;
   for (int i = 0; i <= kSamples; ++i) points.push_back(exact(from + (to - from) * i / kSamples).at);
-  const bool closed = (points.front() - points.back()).norm() < kSame;
+  const bool closed = (points.front() - points.back()).norm() < kKernelTolerance;
   if (!closed) {
     const Curve line = lineThrough(points.front(), points.back());
     const bool straight = std::all_of(points.begin(), points.end(), [&](const Vector3d& p) {
-      return (p - line.start).cross(line.axis).norm() < kSame;
+      return (p - line.start).cross(line.axis).norm() < kKernelTolerance;
     });
     if (straight) return line;
   }
-  if (const auto circle = circleThrough(points, closed, kSame)) return *circle;
+  if (const auto circle = circleThrough(points, closed, kKernelTolerance)) return *circle;
   return splineOf(exact, breaksOf(curve, from, to), kCurveError);
 }
 

@@ -38,9 +38,6 @@
 namespace swept::step {
 namespace {
 
-/// Distance in mm; the kernel treats two points closer than this as one.
-constexpr double kKernelTolerance = 1e-7;
-
 gp_Pnt pointOf(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 gp_Dir dirOf(const Eigen::Vector3d& d) { return {d.x(), d.y(), d.z()}; }
 

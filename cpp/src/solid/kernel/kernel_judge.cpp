@@ -45,7 +45,7 @@ class KernelJudge : public Judge {
   std::vector<std::int32_t> findBadFaces(RunContext& run, double from, double to) override {
     return step::findBadFaces(brep_.faces, run, from, to);
   }
-  std::vector<std::int32_t> findUnreadable(const Model& model, const StepOptions& options,
+  std::vector<std::int32_t> findUnreadable(const Model& model, const SolidOptions& options,
                                            RunContext& run) override {
     if (!reader_) reader_.emplace(kernel_);
     return reader_->findUnreadable(model, options, run);
@@ -57,7 +57,7 @@ class KernelJudge : public Judge {
     step::writeBrep(brep_.shape, out, run);
   }
   SolidCheck readBack(const Model& model, const std::string& file, const std::string& name,
-                      const StepOptions& options, SolidFormat format, RunContext& run) override {
+                      const SolidOptions& options, SolidFormat format, RunContext& run) override {
     SolidCheck check = checkShape(read(model, file, format, run), run, 0.8, 1.0);
     if (!check.valid && format == SolidFormat::Step)
       check = checkShape(readStepFile(file, kernel_, run), run, 0.8, 1.0);

@@ -11,7 +11,7 @@
 #include "solid/kernel/solid_file.h"
 
 namespace swept::step {
-std::vector<std::int32_t> ReadCheck::findUnreadable(const Model& model, const StepOptions& options,
+std::vector<std::int32_t> ReadCheck::findUnreadable(const Model& model, const SolidOptions& options,
                                                     RunContext& run) {
   return curved_.findRefused(model, options, run, [&](const std::string& text, std::size_t count) {
     return read(text, count, run);

@@ -21,7 +21,7 @@ namespace swept::step {
 class ReadCheck {
  public:
   explicit ReadCheck(KernelSession& kernel) : kernel_(kernel) {}
-  std::vector<std::int32_t> findUnreadable(const Model& model, const StepOptions& options,
+  std::vector<std::int32_t> findUnreadable(const Model& model, const SolidOptions& options,
                                            RunContext& run);
 
  private:

@@ -67,7 +67,7 @@ class CancellableInput : public std::filebuf {
 void throwIfCancelled(RunContext& run) { run.checkpoint(Phase::Export); }
 
 void fillHeader(STEPControl_Writer& writer, const std::string& targetName,
-                const StepOptions& options) {
+                const SolidOptions& options) {
   APIHeaderSection_MakeHeader header(writer.Model());
   header.SetName(text(targetName));
   header.SetAuthorValue(1, text(options.author));
@@ -125,8 +125,8 @@ ProductNames productNames(const STEPControl_Reader& reader) {
 }  // namespace
 
 void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
-                   const std::string& targetName, const StepOptions& options, KernelSession& kernel,
-                   RunContext& run) {
+                   const std::string& targetName, const SolidOptions& options,
+                   KernelSession& kernel, RunContext& run) {
   kernel.set("write.step.schema", options.schema == StepSchema::Ap214 ? "AP214IS" : "AP242DIS");
   kernel.set("write.step.unit", "MM");
   kernel.set("xstep.cascade.unit", "MM");

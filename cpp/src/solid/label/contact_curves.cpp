@@ -12,7 +12,6 @@ using Eigen::Vector3d;
 /// Sine of the largest deviation at which a motion counts as parallel or perpendicular to the axis
 /// of a surface.
 constexpr double kAlignedSine = 1e-9;
-constexpr double kCurveError = 1e-8;  // mm: largest deviation of a contact curve
 
 // The range, along the axis of the surface, in which the edges of a face lie, with a margin.
 struct Extent {

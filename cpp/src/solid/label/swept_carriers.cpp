@@ -145,8 +145,8 @@ Carrier extrusionOf(const Curve& spline, const Vector3d& axis, double extension)
   }
   const Eigen::Vector2d first = nodes.front().slope.normalized(),
                         last = nodes.back().slope.normalized();
-  const bool closed =
-      (nodes.front().at - nodes.back().at).norm() < 1e-7 && (first - last).norm() < 1e-3;
+  const bool closed = (nodes.front().at - nodes.back().at).norm() < kKernelTolerance &&
+                      (first - last).norm() < 1e-3;
   if (closed) nodes.back() = {nodes.front().at, nodes.front().slope, nodes.back().knot};
   carrier.profile = std::make_shared<const Profile>(std::move(nodes), closed, extension);
   return carrier;

@@ -7,12 +7,6 @@
 #include "solid/carrier/section.h"
 
 namespace swept::step {
-namespace {
-
-/// mm; default tolerance of the kernel. An edge this near to its faces needs no larger tolerance.
-constexpr double kMaxOpenGap = 1e-7;
-
-}  // namespace
 
 std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t recognisedCount,
                                          double tolerance) {
@@ -30,7 +24,7 @@ std::vector<std::int32_t> findLooseFaces(const Model& model, std::int32_t recogn
     const auto isOff = [&](const ModelUse& use) {
       const ModelEdge& edge = model.edges[use.edge];
       const double allowed =
-          isRecognised[use.edge][0] && isRecognised[use.edge][1] ? tolerance : kMaxOpenGap;
+          isRecognised[use.edge][0] && isRecognised[use.edge][1] ? tolerance : kKernelTolerance;
       return edge.tolerance > allowed && largestGap(edge.curve, face.surface) > allowed;
     };
     const bool isLoose = std::any_of(face.loops.begin(), face.loops.end(), [&](const auto& loop) {

@@ -35,7 +35,7 @@ class Judge {
   /// Returns faces that are not valid. `from` and `to`: progress of the export (0 to 1).
   virtual std::vector<std::int32_t> findBadFaces(RunContext& run, double from, double to) = 0;
   /// Returns curved faces that are not valid after the text of the file was read back.
-  virtual std::vector<std::int32_t> findUnreadable(const Model& model, const StepOptions& options,
+  virtual std::vector<std::int32_t> findUnreadable(const Model& model, const SolidOptions& options,
                                                    RunContext& run) = 0;
   /// Returns faces that intersect or touch where they share no vertex or edge.
   virtual std::vector<std::int32_t> findInterfering(const Model& model, RunContext& run) = 0;
@@ -45,7 +45,7 @@ class Judge {
   /// Reads a finished file back and checks it. If the file cannot be read correctly, may replace it
   /// by one from the kernel's own writer. `name`: final name of the file, for its header.
   virtual SolidCheck readBack(const Model& model, const std::string& file, const std::string& name,
-                              const StepOptions& options, SolidFormat format, RunContext& run) = 0;
+                              const SolidOptions& options, SolidFormat format, RunContext& run) = 0;
   /// Calls work(), and converts failures of the kernel to an Error.
   virtual void guard(const std::function<void()>& work, RunContext& run) = 0;
 };

@@ -22,7 +22,7 @@ class CurvedText {
  public:
   /// `read(text, count)` returns the refused faces of a text with `count` faces.
   template <class Read>
-  std::vector<std::int32_t> findRefused(const Model& model, const StepOptions& options,
+  std::vector<std::int32_t> findRefused(const Model& model, const SolidOptions& options,
                                         RunContext& run, const Read& read) {
     std::vector<std::int32_t> from;
     const Model part = curvedPart(model, from);

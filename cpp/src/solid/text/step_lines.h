@@ -131,7 +131,7 @@ class Lines {
 /// Writes the parts of the file around the geometry.
 class FileSections {
  public:
-  FileSections(Lines& lines, const StepOptions& options) : lines_(lines), options_(options) {}
+  FileSections(Lines& lines, const SolidOptions& options) : lines_(lines), options_(options) {}
 
   void header(const std::string& fileName);
   Id point(const Eigen::Vector3d& p);
@@ -153,7 +153,7 @@ class FileSections {
   void colour(const std::vector<Id>& items, Id contextId);
 
   Lines& lines_;
-  const StepOptions& options_;
+  const SolidOptions& options_;
 };
 
 /// Returns a quoted STEP string. Characters outside ASCII become \X2\....\X0\.

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 class Writer {
  public:
-  Writer(const Model& model, std::ostream& out, const StepOptions& options, RunContext& run)
+  Writer(const Model& model, std::ostream& out, const SolidOptions& options, RunContext& run)
       : model_(model),
         options_(options),
         lines_(out, run),
@@ -249,7 +249,7 @@ class Writer {
   }
 
   const Model& model_;
-  const StepOptions& options_;
+  const SolidOptions& options_;
   Lines lines_;
   FileSections sections_;
   bool faceted_;
@@ -271,15 +271,15 @@ bool isFaceted(const Model& model) {
 double statedAccuracy(const Model& model) {
   // Readers compute the gaps between surfaces themselves. If the file stated a larger value, they
   // could drop short edges, and accept curves that lie off their surfaces by this distance.
-  if (!isFlat(model)) return 1e-7;
-  double largest = 1e-7;
+  if (!isFlat(model)) return kKernelTolerance;
+  double largest = kKernelTolerance;
   for (const ModelVertex& vertex : model.vertices) largest = std::max(largest, vertex.tolerance);
   // Slightly larger than measured, because the file rounds points and directions.
   return 1.02 * largest + 1e-8;
 }
 
 void writeStepText(const Model& model, std::ostream& out, const std::string& fileName,
-                   const StepOptions& options, RunContext& run) {
+                   const SolidOptions& options, RunContext& run) {
   Writer(model, out, options, run).write(fileName);
 }
 

@@ -19,7 +19,7 @@
 namespace swept::step {
 
 void writeStepText(const Model& model, std::ostream& out, const std::string& fileName,
-                   const StepOptions& options, RunContext& run);
+                   const SolidOptions& options, RunContext& run);
 
 /// With this many plane faces or more, the file contains only their corners (FACETED_BREP). Such a
 /// file has less than half of the bytes and is read in half of the time.

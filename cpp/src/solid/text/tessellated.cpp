@@ -9,6 +9,7 @@
 
 #include "base/safe_file.h"
 #include "base/timer.h"
+#include "solid/carrier/curve.h"
 #include "solid/mesh/half_edge.h"
 #include "solid/text/step_lines.h"
 
@@ -18,11 +19,10 @@ namespace {
 constexpr double kBytesPerTriangle = 45;
 // Volumes count as equal if they differ by less than this fraction of area^1.5.
 constexpr double kSameVolume = 1e-9;
-constexpr double kExact = 1e-7;  // mm, accuracy stated in the file
 
 class TessellatedWriter {
  public:
-  TessellatedWriter(const HalfEdgeMesh& mesh, std::ostream& out, const StepOptions& options,
+  TessellatedWriter(const HalfEdgeMesh& mesh, std::ostream& out, const SolidOptions& options,
                     RunContext& run)
       : mesh_(mesh), options_(options), lines_(out, run), sections_(lines_, options) {}
 
@@ -38,7 +38,7 @@ class TessellatedWriter {
       solids.push_back(lines_.begin("TESSELLATED_SOLID"));
       lines_.raw(stepString(options_.productName)).raw(",").ids(items).raw(",$").end();
     }
-    const Id context = sections_.context(kExact);
+    const Id context = sections_.context(kKernelTolerance);
     sections_.product("TESSELLATED_SHAPE_REPRESENTATION", solids, solids, context);
     sections_.end();
   }
@@ -87,7 +87,7 @@ class TessellatedWriter {
   }
 
   const HalfEdgeMesh& mesh_;
-  const StepOptions& options_;
+  const SolidOptions& options_;
   Lines lines_;
   FileSections sections_;
   // For each vertex, its number in the point list of its shell, from 1.
@@ -258,7 +258,7 @@ void compare(const HalfEdgeMesh& read, const HalfEdgeMesh& written) {
           what + ". If a file with this name existed, it is unchanged. Export a mesh file instead");
 }
 
-void checkOptions(const HalfEdgeMesh& mesh, const StepOptions& options) {
+void checkOptions(const HalfEdgeMesh& mesh, const SolidOptions& options) {
   if (options.tolerance > 0) {
     throw Error(Status::ExportFailed, "BadOption",
                 "a tessellated solid consists of the triangles of the mesh, so it cannot have a "
@@ -284,11 +284,11 @@ double tessellatedMegabytes(std::int64_t triangles) {
 
 TriMesh readTessellated(std::istream& text, RunContext& run) { return Reader(text, run).read(); }
 
-StepReport writeTessellated(const TriMesh& input, const std::string& path,
-                            const StepOptions& options, RunContext& run) {
+WrittenSolid writeTessellated(const TriMesh& input, const std::string& path,
+                              const SolidOptions& options, RunContext& run) {
   SafeFile file(path);
   Timer timer;
-  StepReport report;
+  WrittenSolid report;
   const HalfEdgeMesh mesh = buildHalfEdges(input, run);
   checkOptions(mesh, options);
   report.secondsBuild = timer.lap();

@@ -19,8 +19,8 @@
 
 namespace swept::step {
 
-StepReport writeTessellated(const TriMesh& mesh, const std::string& path,
-                            const StepOptions& options, RunContext& run);
+WrittenSolid writeTessellated(const TriMesh& mesh, const std::string& path,
+                              const SolidOptions& options, RunContext& run);
 
 /// Returns the approximate file size for this number of triangles, in megabytes.
 double tessellatedMegabytes(std::int64_t triangles);

@@ -21,7 +21,7 @@ Scene::Scene(TriMesh mesh, const Trajectory& trajectory, int resolution) : body(
   RunContext run;
   const Motion coarse = refineMotion(body, trajectory, box.diagonal().norm() / 50, run);
   const double cell = plannedCell(sweptBox(body, coarse, run), options);
-  motion = refineMotion(body, trajectory, options.chordTolerance * cell, run);
+  motion = refineMotion(body, trajectory, kChordFraction * cell, run);
   grid = planGrid(sweptBox(body, motion, run), box, options);
 }
 

@@ -88,7 +88,7 @@ class HandBuilt {
     model_.shellOwner = {0};
     std::ostringstream out;
     RunContext run;
-    writeStepText(model_, out, "hand built", StepOptions(), run);
+    writeStepText(model_, out, "hand built", SolidOptions(), run);
     return out.str();
   }
   /// Judges the solid as the kernel reads it from the text.
