@@ -2238,6 +2238,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Accuracy</source>
+        <extracomment>Steps of the quality slider, in cells along the longest side.</extracomment>
         <translation>Genauigkeit</translation>
     </message>
     <message>

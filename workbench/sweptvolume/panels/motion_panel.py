@@ -19,6 +19,7 @@ from .pivot_box import PivotBox
 from .place_picker import PlacePicker
 from .player import Player
 from .preview import MOST_CELLS, Preview
+from .snap_line import SnapLine
 from .tangent_box import TangentBox
 from .widgets import QtWidgets
 
@@ -101,29 +102,10 @@ class MotionPanel(KeysInView):
         self.drag_box = QtWidgets.QCheckBox(translate("SweptVolume", "Drag the chosen key"))
         self.drag_box.setObjectName("SweptVolumeDrag")
         self.drag_box.setChecked(True)
-        self.snap = widgets.length(1.0, 0.0, 1.0)
-        self.snap_angle = widgets.angle(5.0, 0.0, 5.0)
-        tip = translate(
-            "SweptVolume",
-            "Increment when you drag an arrow (mm) or an arc (degrees) in the 3D view. 0: no "
-            "increments",
-        )
-        round_button = QtWidgets.QPushButton(translate("SweptVolume", "R&ound"))
-        round_button.setObjectName("SweptVolumeRound")
-        round_button.setToolTip(
-            translate(
-                "SweptVolume",
-                "Rounds the placement of the chosen key to multiples of these increments",
-            )
-        )
-        round_button.clicked.connect(lambda *ignored: self.act("Round"))
-        line = QtWidgets.QHBoxLayout()
-        for field in (self.snap, self.snap_angle):
-            field.setToolTip(tip)
-            field.setMinimumWidth(82)
-            line.addWidget(field, 1)
-            field.valueChanged.connect(lambda *ignored: self._set_snap())
-        line.addWidget(round_button)
+        self.snap_line = line = SnapLine()
+        self.snap, self.snap_angle = line.length, line.angle
+        line.changed.connect(self._set_snap)
+        line.rounding.connect(lambda: self.act("Round"))
         self.preview_box = QtWidgets.QCheckBox(translate("SweptVolume", "Show a coarse envelope"))
         self.preview_box.setChecked(settings.preview())
         self.preview_text = widgets.message_label()
