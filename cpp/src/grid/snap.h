@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -32,5 +33,27 @@ inline SnappedPoint snap(const Placement& p, const Eigen::Vector3d& x) {
   }
   return out;
 }
+
+/// The bounding box of some snapped points.
+struct SnappedBox {
+  SnappedPoint low, high;
+
+  template <class... Points>
+  explicit SnappedBox(const SnappedPoint& first, const Points&... others)
+      : low(first), high(first) {
+    for (const SnappedPoint* point : {&others...}) {
+      for (int axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], (*point)[axis]);
+        high[axis] = std::max(high[axis], (*point)[axis]);
+      }
+    }
+  }
+  /// Returns whether a lattice line can meet the box. A line along one axis can if there are
+  /// multiples of 2^17 between the bounds of both other axes; the bounds themselves are odd.
+  bool meetsLines() const {
+    const auto crosses = [&](int axis) { return low[axis] >> kSubBits != high[axis] >> kSubBits; };
+    return int{crosses(0)} + int{crosses(1)} + int{crosses(2)} >= 2;
+  }
+};
 
 }  // namespace swept

@@ -88,14 +88,14 @@ class ItemSampler {
   void face(std::size_t f, std::size_t placement, PosedVertices& posed) {
     const auto& t = input_.body.triangles[f];
     const SnappedPoint &a = posed[t[0]], &b = posed[t[1]], &c = posed[t[2]];
-    if (isHidden({&a, &b, &c})) return;
+    if (isHidden(SnappedBox(a, b, c))) return;
     out_.add({static_cast<std::uint32_t>(f), static_cast<std::uint32_t>(placement)},
              [&](const auto& emit) { rasteriseAllAxes(a, b, c, unlessHidden(emit)); });
   }
   void sidePatch(std::size_t edge, const FaceClusters::EdgeEnds& e, std::size_t step,
                  PosedVertices& now, PosedVertices& next) {
     const SnappedPoint &a = now[e.a], &b = now[e.b], &c = next[e.b], &d = next[e.a];
-    if (isHidden({&a, &b, &c, &d})) return;
+    if (isHidden(SnappedBox(a, b, c, d))) return;
     const auto code = static_cast<std::uint32_t>(edge) | SweptElement::kSidePatchBit;
     out_.add({code, static_cast<std::uint32_t>(step)}, [&](const auto& emit) {
       rasteriseAllAxes(a, b, c, unlessHidden(emit));
@@ -122,19 +122,15 @@ class ItemSampler {
       }
     };
   }
-  bool isHidden(std::initializer_list<const SnappedPoint*> corners) const {
+  /// Returns whether an element with this bounding box has no crossing that can matter. Most
+  /// elements with small triangles meet no lattice line.
+  bool isHidden(const SnappedBox& box) const {
+    if (!box.meetsLines()) return true;
     if (input_.inside == nullptr) return false;
-    SnappedPoint low = **corners.begin(), high = low;
-    for (const SnappedPoint* corner : corners) {
-      for (int axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], (*corner)[axis]);
-        high[axis] = std::max(high[axis], (*corner)[axis]);
-      }
-    }
     Eigen::Array3d from, to;
     for (int axis = 0; axis < 3; ++axis) {
-      from[axis] = static_cast<double>(low[axis]) / kSubUnits;
-      to[axis] = static_cast<double>(high[axis]) / kSubUnits;
+      from[axis] = static_cast<double>(box.low[axis]) / kSubUnits;
+      to[axis] = static_cast<double>(box.high[axis]) / kSubUnits;
     }
     return input_.inside->hides(from, to);
   }
