@@ -12,6 +12,7 @@
 #include "geometry/self_intersections.h"
 #include "geometry/triangle_pairs.h"
 #include "simplify/mapped_move.h"
+#include "simplify/thin_parameters.h"
 #include "simplify/triangle_fans.h"
 
 namespace swept {
@@ -22,41 +23,10 @@ using Flags = std::vector<char>;
 
 constexpr double kFirstFraction = 0.1;  // fraction of the limit that the first round uses
 
-// Parameters of the thinning. They come from trials with a limit of 0.08 cells on a part with
-// curved and plane faces: the fandisk test mesh moved over 16 keys, 1.2 million triangles. The mesh
-// for edge collapses gets a quarter of the triangles of the mesh for surface recognition. More
-// rounds do not reduce it further.
-struct ThinParameters {
-  int rounds = 3;      // with growing limits
-  int lastRounds = 0;  // further rounds with the whole limit
-  // Fraction of the limit for the root mean square distance from the planes.
-  double meanFraction = 1;
-  double minCosine = 0.5;  // a triangle may turn by less than 60 degrees
-  double minShape = 0.03;  // length of the area vector / squared longest side
-  double longest = 50;  // limit of a new edge's length, as a multiple of the mean edge of the input
-  // Also compares new edges with the old triangles. Without this, a spike of 1.1 tolerances
-  // remained on a scanned body (the bunny test mesh moved over 16 keys, 2 mm). Surface recognition
-  // does not need this: surfaces are fitted to the vertices, and the solid is measured at the end.
-  bool testsNewEdges = true;
-  bool proven = false;  // the limit holds at every point of the surface, in both directions
-  // A triangle below minShape may be replaced by one of about the same shape (kMinShapeKept).
-  // Otherwise, a round rod of very narrow triangles would keep all of them.
-  bool mayStayThin = false;
-};
-constexpr ThinParameters kForCollapse;
-constexpr ThinParameters kForSurfaces{6, 0, 0.35, 0.5, 0.15, 8, false};
-// A body that is swept may have triangles of any shape.
-constexpr ThinParameters kForSweep{8, 4, 1, 0.5, 1e-4, 1e9, false, true, true};
-
 /// At the rim of a rod, every second merge makes a triangle slightly narrower, which later merges
 /// make up for.
 constexpr double kMinShapeKept = 0.5;
 constexpr double kMinMove = 1e-3;  // smaller displacements (fraction of the limit) do not count
-
-ThinParameters parametersFor(ThinFor purpose) {
-  if (purpose == ThinFor::Sweep) return kForSweep;
-  return purpose == ThinFor::Collapse ? kForCollapse : kForSurfaces;
-}
 
 using Corners = TriangleFans::Corners;
 

@@ -18,7 +18,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 /// Radians: the smallest gap between contacts on a closed rail at which the rail can be cut open.
-constexpr double kMinGap = 0.35;
+constexpr double kMinRailGap = 0.35;
 
 SweptSurface none(Degeneracy why, const Vector2d& where = Vector2d::Zero()) {
   SweptSurface result;
@@ -46,7 +46,7 @@ bool unwrap(std::vector<double>& values, double period) {
   for (double& x : values) {
     if (x < cut) x += period;
   }
-  return gap >= kMinGap;
+  return gap >= kMinRailGap;
 }
 
 Range rangeOf(const std::vector<double>& values) {
