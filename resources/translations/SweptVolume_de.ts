@@ -115,10 +115,6 @@
         <translation>Größter erlaubter Abstand zwischen der berechneten und der wahren Fläche. Er bestimmt Zellgröße und Toleranz. 0: Die Zellgröße kommt aus CellSize oder Resolution, die Toleranz aus Tolerance</translation>
     </message>
     <message>
-        <source>Number of cells along the longest side of the swept volume. Used if CellSize is 0</source>
-        <translation>Anzahl der Zellen entlang der längsten Seite des überstrichenen Volumens. Gilt, wenn CellSize 0 ist</translation>
-    </message>
-    <message>
         <source>Edge length of a cell of the grid. 0: computed from Resolution</source>
         <translation>Kantenlänge einer Zelle des Gitters. 0: aus Resolution berechnet</translation>
     </message>
@@ -506,6 +502,10 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
     <message>
         <source>Largest deviation from the mesh to aim at. Not guaranteed: Deviation is the measured value. Within this tolerance, cylinders, spheres and other surfaces are recognised, and the rest is simplified. 0: exact, unless MaxFaces requires a tolerance</source>
         <translation>Wie weit der Festkörper höchstens vom Netz abweichen soll. Nicht garantiert: Deviation ist der gemessene Wert. Innerhalb dieser Toleranz werden Zylinder, Kugeln und andere Flächen erkannt, der Rest wird vereinfacht. 0: genau, sofern MaxFaces keine Toleranz erfordert</translation>
+    </message>
+    <message>
+        <source>Number of cells along the longest side of the box around the swept volume. Used if CellSize is 0</source>
+        <translation>Anzahl der Zellen entlang der längsten Seite des Quaders um das überstrichene Volumen. Gilt, wenn CellSize 0 ist</translation>
     </message>
 </context>
 <context>
@@ -2371,10 +2371,6 @@ path&apos;s size.</extracomment>
         <translation>Bewegungshülle</translation>
     </message>
     <message>
-        <source>Number of cells along the longest side of the swept volume</source>
-        <translation>Anzahl der Zellen entlang der längsten Seite des überstrichenen Volumens</translation>
-    </message>
-    <message>
         <source>; needs about {0} of memory and {1}</source>
         <translation>; braucht etwa {0} Speicher und {1}</translation>
     </message>
@@ -3675,6 +3671,10 @@ bis etwa {2}, {3}</translation>
         <source>If no path has been found after this time, the search fails. If one has been found, the search stops improving it</source>
         <translation>Ist bis dahin keine Bahn gefunden, endet die Suche ohne Ergebnis. Sonst endet nur das Verbessern der Bahn</translation>
     </message>
+    <message>
+        <source>Number of cells along the longest side of the box around the swept volume</source>
+        <translation>Anzahl der Zellen entlang der längsten Seite des Quaders um das überstrichene Volumen</translation>
+    </message>
 </context>
 <context>
     <name>SweptVolumePreferences</name>
@@ -3691,8 +3691,8 @@ bis etwa {2}, {3}</translation>
         <translation>Auflösung</translation>
     </message>
     <message>
-        <source>Cells along the longest side of the swept volume, for new envelopes</source>
-        <translation>Zellen entlang der längsten Seite des überstrichenen Volumens, für neue Hüllen</translation>
+        <source>Cells along the longest side of the box around the swept volume, for new envelopes</source>
+        <translation>Zellen entlang der längsten Seite des Quaders um das überstrichene Volumen, für neue Hüllen</translation>
     </message>
     <message>
         <source>Tolerance</source>

@@ -7,8 +7,8 @@ Makes five rounds of the same runs; only the runs that a timer cancels differ. T
 After each run, the bytes in use (as the allocator counts them) and the resident size are read. All threads
 share one heap (MALLOC_ARENA_MAX=1). Otherwise each thread has a heap that keeps what its largest run needed.
 The sizes of such heaps jump by up to 18 MB without a trend, and would hide a trend. The exit status is 0 only
-if the largest number of bytes in use and the median resident size of the last round are within 5 % of those
-of the second, and no file handle or thread was added.
+if the largest number of bytes in use and the median resident size of the last round are at most 5 % above
+those of the second, and no file handle or thread was added.
 """
 import ctypes
 import os

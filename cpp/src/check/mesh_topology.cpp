@@ -46,9 +46,9 @@ void walk(const TriMesh& mesh, const RawArray<std::uint32_t>& across, std::uint3
   }
 }
 
-/// Returns true if the fan, seen against its mean normal, goes once round its vertex without
-/// turning back. Its triangles then share nothing but their common edges. Margins are far above
-/// rounding, so "true" is certain; "false" only means that exact tests must decide.
+/// Returns true if the fan, projected along its mean normal, goes once round its vertex without
+/// turning back. Its triangles then meet only in their common edges and in the vertex. Margins are
+/// far above rounding, so "true" is certain; "false" only means that exact tests must decide.
 bool isDisc(const TriMesh& mesh, const Fan& fan) {
   if (!fan.cycle || !fan.consistent || fan.corners.size() < 3) return false;
   const std::uint32_t first = fan.corners[0];

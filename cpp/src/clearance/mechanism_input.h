@@ -1,7 +1,8 @@
-// Checks and prepares the parts of a mechanism for the search, and finds their common time span.
+// Checks the parts of a mechanism, and prepares them for checkMechanism(), which searches for the
+// smallest distances of all pairs. Finds the time span that all motions have in common.
 // In:      parts as the caller gives them.
 // Out:     bounding volume hierarchies and timed motions, with the pivot of each part as the origin
-//          of its coordinates.
+//          of its coordinates; and the common time span.
 // Units:   mm, s.
 // Cost:    O(n log n) for n triangles; parts are prepared in parallel.
 // SPDX-License-Identifier: LGPL-2.1-or-later

@@ -31,7 +31,7 @@ namespace swept::path {
 struct SearchSpace {
   Eigen::Vector3d low, high;   ///< bounds of the part's middle
   Eigen::Quaterniond upright;  ///< orientation at the goal
-  double largestTurn = 4;      ///< rad from `upright`; 0: the part never turns
+  double largestTurn = 4;      ///< rad from `upright`; pi or more: any; 0: never turns
   bool turns() const { return largestTurn > 0; }
   /// If set: a state of the goal's tree for which isOut() is true completes the path without the
   /// other tree.

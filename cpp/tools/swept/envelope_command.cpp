@@ -49,9 +49,9 @@ void addSamplingOptions(CLI::App& app, EnvelopeJob& job) {
       app, "--accuracy", "MM", job.accuracy,
       "how far the surface may lie from the true one; chooses cell size, tolerance and chord, in "
       "place of --resolution, --cell, --tolerance and --chord-tolerance");
-  addInteger(
-      app, "--resolution", job.resolution, 4, 16384,
-      "number of grid cells along the longest side of the swept volume, 4 to 16384 (default 128)");
+  addInteger(app, "--resolution", job.resolution, 4, 16384,
+             "number of grid cells along the longest side of the box around the swept volume, 4 to "
+             "16384 (default 128)");
   CLI::Option* cell = addNumber(app, "--cell", "MM", options.cellSize,
                                 "edge length of a grid cell, in place of --resolution");
   cell->excludes("--resolution");

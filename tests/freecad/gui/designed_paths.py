@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Paths designed in the motion editor, on real data. First, recorded placements of a robot's gripper (6, or
-all 34 with SWEPT_LONG_TESTS): some captured from the part, others typed into the table. Then a joint of
-beams with a known start and goal: keys are added between them until the path is clear. Parts whose data
-are missing are skipped, with a message.
+all 34 with SWEPT_LONG_TESTS): for two thirds of them, the part is moved there and a key is made of its
+placement; the others are typed into the table. Then a joint of beams with a known start and goal: keys are
+added between them until the path is clear. Without the shared data, a test is skipped, with a message.
 """
 import csv
 import os

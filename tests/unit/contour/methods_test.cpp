@@ -1,4 +1,5 @@
-// The five methods of division into components, in cells in which they differ.
+// The methods of division into components that serve comparisons (dual marching cubes, equivalence,
+// greedy): all configurations of a cell, and cells in which the methods differ.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contour/methods/methods.h"
 

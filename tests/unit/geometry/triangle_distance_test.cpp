@@ -79,8 +79,8 @@ TEST(TriangleDistance, NeedlesAndPointsAgreeWithTheDefinition) {
   }
 }
 
-// Returns an approximate distance of two triangles: points of a fine grid on one are projected onto
-// the other, in both directions.
+// Returns the smallest distance of the points of a fine grid on triangle a from triangle b: an
+// upper bound of the distance of the two triangles.
 double sampledDistance(const Triangle3d& a, const Triangle3d& b, int steps) {
   double best = 1e300;
   for (int i = 0; i <= steps; ++i) {

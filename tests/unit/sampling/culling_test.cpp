@@ -68,8 +68,9 @@ TEST(Culling, SameSignsAsAllFacesAndNoCopyOfTheBodyIsOutside) {
     const Case scene(random, 24);
     const std::vector<std::uint8_t> culled = scene.outside(true);
     EXPECT_EQ(culled, scene.outside(false));
-    // Brute force: the lattice points that lie inside the body at some placement. Snapping moves
-    // the surface by less than 1e-4 cell, so points slightly beside them are tested too.
+    // Brute force, for 300 random lattice points: a point inside the body at some placement must
+    // not be outside. Snapping moves the surface by less than 1e-4 cell. So a point counts as
+    // inside only if both points beside it are, moved by -1e-4 and by 1e-4 cell along all axes.
     const RayColumns rays(scene.body.mesh);
     std::uniform_int_distribution<std::size_t> any(0, culled.size() - 1);
     for (int sample = 0; sample < 300; ++sample) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Settings of the source: changes the settings with which a motion was read from a wire, value,
-array, file or other source."""
+"""Settings of the source: changes the settings with which a motion was read from a wire,
+driving value, array, file or other source."""
 from ..convert import InputProblem
 from ..features.motion import Motion
 from ..features.motion_source import has_settings

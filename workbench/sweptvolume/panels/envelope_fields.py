@@ -62,7 +62,10 @@ class EnvelopeFields:
         self.resolution.setGroupSeparatorShown(True)
         self.resolution.setValue(values["Resolution"])
         self.resolution.setObjectName("SweptVolumeResolution")
-        tip = translate("SweptVolume", "Number of cells along the longest side of the swept volume")
+        tip = translate(
+            "SweptVolume",
+            "Number of cells along the longest side of the box around the swept volume",
+        )
         widgets.hint(self.resolution, tip)
         self.quality = QtWidgets.QSlider(QtCore.Qt.Horizontal)
         self.quality.setObjectName("SweptVolumeQuality")

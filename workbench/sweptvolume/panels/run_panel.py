@@ -124,7 +124,8 @@ class StayingPanel(StartPanel):
         widgets.forget_with(box)
 
     def leave(self):
-        """Subclasses end further work of the panel here."""
+        """Called on Close, after a run was cancelled. Subclasses stop their timers and players here,
+        and remove what they show in the 3D view."""
 
     def reject(self):
         """Close: stops a run in progress. Results stay."""

@@ -77,8 +77,9 @@ def forget_with(widget):
 
 
 def _quantity_field():
-    """Returns a field that Python can use. A new field may get the wrapper of a deleted widget at
-    the same address, which another workbench still holds (forget_with())."""
+    """Returns a field that Python can use. If another workbench still holds the wrapper of a deleted
+    widget, and the new field has the same address, PySide returns that wrapper (forget_with()). Its
+    calls raise RuntimeError, so another field is made."""
     for attempt in range(10):
         field = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
         try:

@@ -1,4 +1,5 @@
-// Divides the walls of a cell into the two sides of each ring.
+// Divides the six faces of a cell into the two sides of each ring: the closed chain of chords that
+// bounds one piece of surface in the cell (cell_rings.h).
 //
 // In: the rings of a cell. Out: for each ring, its left and its right side as flat polygons on the
 // six faces; and how the rings are nested.
