@@ -87,7 +87,8 @@ ACCURACY = [
         "Accuracy",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Number of cells along the longest side of the box around the swept volume. Used if CellSize is 0",
+            "Number of cells along the longest side of the box around the swept volume. "
+            "Used if CellSize is 0",
         ),
         128,
         0,
