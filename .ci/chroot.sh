@@ -39,7 +39,7 @@ make_system() {
   step "$suite: packages"
   # Formatters and compilers of Debian 12 are not needed here.
   mapfile -t wanted < <(grep -v -e '^#' -e clang -e black -e flake8 .ci/packages.txt)
-  [ "$suite" = trixie ] || wanted+=(qt6-svg-plugins) # check marks of FreeCAD's themes
+  [ "$suite" != forky ] || wanted+=(qt6-svg-plugins) # FreeCAD 1.1: check marks of its themes
   inside apt-get update -q
   inside apt-get install -q -y --no-install-recommends "${wanted[@]}"
   step "$suite: build"
