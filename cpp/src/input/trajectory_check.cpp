@@ -183,19 +183,18 @@ void checkOptions(const Options& options) {
 double chordTolerance(const Options& options, double cell) {
   if (options.chordTolerance && *options.chordTolerance > cell) {
     badOption("chordTolerance", *options.chordTolerance,
-              textOf(kTellingDigits, "above 0 mm up to the size of a cell (", cell, " mm)"));
+              "above 0 mm up to the size of a cell (" + numberText(cell, kTellingDigits) + " mm)");
   }
   return options.chordTolerance.value_or(kChordFraction * cell);
 }
 
 double weldTolerance(const Options& options, double diagonal) {
   constexpr double kMaxFraction = 0.01;
-  if (options.weldTolerance && *options.weldTolerance > kMaxFraction * diagonal) {
+  const double most = kMaxFraction * diagonal;
+  if (options.weldTolerance && *options.weldTolerance > most) {
     badOption("weldTolerance", *options.weldTolerance,
-              textOf(kTellingDigits,
-                     "0 mm up to a hundredth of the diagonal of the part's bounding "
-                     "box (",
-                     kMaxFraction * diagonal, " mm)"));
+              "0 mm up to a hundredth of the diagonal of the part's bounding box (" +
+                  numberText(most, kTellingDigits) + " mm)");
   }
   return options.weldTolerance.value_or(kWeldFraction * diagonal);
 }

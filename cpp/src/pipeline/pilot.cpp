@@ -37,6 +37,7 @@ Estimate estimateByPilot(const Estimate& estimate, const Prepared& prepared,
     coarse.trajectory = prepared.trajectory;
     Options plain = options;
     plain.cellSize = prepared.grid.cell * coarser;
+    if (plain.chordTolerance) *plain.chordTolerance *= coarser;
     planRun(coarse, plain, run);
     if (!fitsMemory(estimateOf(coarse, plain), run)) return std::nullopt;
     const SamplerInput input{coarse.body.mesh, topology,     coarse.motion,
