@@ -149,7 +149,7 @@ replaced. Raises ExportFailed.)";
 constexpr const char* kReadTrajectoryDoc =
     R"(read_trajectory_csv(path, unit='mm') -> (times (K,), quaternions (K, 4), translations (K, 3))
 
-Reads a table of poses. Each row holds t,tx,ty,tz,qx,qy,qz,qw, or the 12 or 16 numbers of a matrix, separated
+Reads a table of poses. Each row holds t,tx,ty,tz,qx,qy,qz,qw, or the 12, 16 or 17 numbers of a matrix, separated
 by commas, semicolons or tabs. The file may be compressed with gzip or xz. Returns times in s, quaternions in
 the order x, y, z, w, and translations in mm. Raises InvalidInput (code BadFile, EmptyTrajectory, NotRigid
 or BadPose); its message names line and column.)";

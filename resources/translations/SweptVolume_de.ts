@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>Parts that stand still. A group or link stands for all the parts in it</source>
-        <translation>Teile, die still stehen. Eine Gruppe oder Verknüpfung steht für alle Teile darin</translation>
+        <translation>Teile, die stillstehen. Eine Gruppe oder Verknüpfung steht für alle Teile darin</translation>
     </message>
     <message>
         <source>True: all other visible parts are neighbours, and the list Neighbours is not used</source>
@@ -197,7 +197,7 @@
     </message>
     <message>
         <source>Pairs of parts that come closer than this length are listed. 0: a tenth of the median size of the parts, or more if a rule needs it</source>
-        <translation>Paare von Teilen, die sich näher als diese Länge kommen, werden aufgelistet. 0: ein Zehntel der mittleren Größe (Median) der Teile, oder mehr, wenn eine Regel es erfordert</translation>
+        <translation>Aufgelistet werden Paare von Teilen, deren Abstand kleiner wird als diese Länge. 0: ein Zehntel der mittleren Größe (Median) der Teile, oder mehr, wenn eine Regel es erfordert</translation>
     </message>
     <message>
         <source>Parts or groups of each pair that has its own rule, two entries for each pair: first, second, first, second ...</source>
@@ -461,7 +461,7 @@ Mehrere Teile bewegen sich zusammen wie ein starrer Körper; bei Absolute gelten
     </message>
     <message>
         <source>How separate pieces of surface inside one cell are recognised. For research: only Consistent guarantees that the envelope is closed</source>
-        <translation>Wie getrennte Flächenstücke innerhalb einer Zelle erkannt werden. Für die Forschung: nur Consistent garantiert, dass die Hülle geschlossen ist</translation>
+        <translation>Wie getrennte Flächenstücke innerhalb einer Zelle erkannt werden. Für die Forschung: Nur Consistent (Stimmig) garantiert, dass die Hülle geschlossen ist</translation>
     </message>
     <message>
         <source>Why the last run failed, and its findings</source>
@@ -659,7 +659,7 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
     </message>
     <message>
         <source>Makes a motion from the placements of the selected objects, in the order of selection. The motion stays linked to the objects: if you move an object, its pose changes too</source>
-        <translation>Macht eine Bewegung aus den Platzierungen der gewählten Objekte, in der Reihenfolge der Auswahl. Die Bewegung bleibt mit den Objekten verknüpft: Wenn Sie ein Objekt verschieben, ändert sich auch seine Lage</translation>
+        <translation>Erzeugt eine Bewegung aus den Platzierungen der gewählten Objekte, in der Reihenfolge der Auswahl. Die Bewegung bleibt mit den Objekten verknüpft: Wenn Sie ein Objekt verschieben, ändert sich die zugehörige Lage der Bewegung</translation>
     </message>
     <message>
         <source>Motion from object...</source>
@@ -667,7 +667,7 @@ A coloured surface with more triangles than this is simplified for drawing.</ext
     </message>
     <message>
         <source>Makes a motion from the selected wire, sketch, robot trajectory, link array, Draft array, CAM operation or assembly simulation. If you select a second curve, it sets the orientation. The motion stays linked to its source</source>
-        <translation>Macht eine Bewegung aus dem gewählten Linienzug, der Skizze, Roboterbahn, Link-Anordnung, Draft-Anordnung, CAM-Operation oder Baugruppensimulation. Wenn Sie eine zweite Kurve wählen, bestimmt sie die Ausrichtung. Die Bewegung bleibt mit ihrer Quelle verknüpft</translation>
+        <translation>Erzeugt eine Bewegung aus der Auswahl: Linienzug, Skizze, Roboterbahn, Link-Anordnung, Draft-Anordnung, CAM-Operation oder Baugruppensimulation. Wenn Sie eine zweite Kurve wählen, bestimmt sie die Ausrichtung. Die Bewegung bleibt mit ihrer Quelle verknüpft</translation>
     </message>
     <message>
         <source>New motion...</source>
@@ -1067,7 +1067,7 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     </message>
     <message>
         <source>The core in &quot;{0}&quot; has version {1}, but the workbench has version {2}: choose a core of version {2}.</source>
-        <translation>Der Rechenkern in „{0}“ hat Version {1}, die Arbeitsumgebung aber Version {2}: Wählen Sie einen Rechenkern der Version {2}.</translation>
+        <translation>Der Rechenkern in „{0}“ hat Version {1}, der Arbeitsbereich aber Version {2}: Wählen Sie einen Rechenkern der Version {2}.</translation>
     </message>
     <message>
         <source>No Python interpreter was found to run pip: install Python.</source>
@@ -1118,7 +1118,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     <message>
         <source>The compiled core of Swept Volume in {0} has version {1}, but the workbench has version {2}. Choose Swept Volume &gt; Install the core, or build the core again in the folder {3}:
     cmake --preset release &amp;&amp; cmake --build build</source>
-        <translation>Der kompilierte Rechenkern von Swept Volume in {0} hat Version {1}, die Arbeitsumgebung aber Version {2}. Wählen Sie Überstrichener Raum &gt; Rechenkern installieren, oder kompilieren Sie den Rechenkern im Ordner {3} neu:
+        <translation>Der kompilierte Rechenkern von Swept Volume in {0} hat Version {1}, der Arbeitsbereich aber Version {2}. Wählen Sie Überstrichener Raum &gt; Rechenkern installieren, oder kompilieren Sie den Rechenkern im Ordner {3} neu:
     cmake --preset release &amp;&amp; cmake --build build</translation>
     </message>
     <message>
@@ -1570,8 +1570,8 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Studien können die Einstellung „Flächenstücke“ von „{0}“ nicht verwenden: Setzen Sie sie auf „Stimmig“.</translation>
     </message>
     <message>
-        <source>The study file no longer contains the run &quot;{0}&quot;: run the study again.</source>
-        <translation>Die Studiendatei enthält den Lauf „{0}“ nicht mehr: Führen Sie die Studie erneut aus.</translation>
+        <source>The study file no longer contains the run &quot;{0}&quot;: run the study again to update the list.</source>
+        <translation>Die Studiendatei enthält den Lauf „{0}“ nicht mehr: Führen Sie die Studie erneut aus, um die Liste zu erneuern.</translation>
     </message>
     <message>
         <source>Run {0}</source>
@@ -1700,7 +1700,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     <message>
         <source>This is an error in the workbench ({0}: {1}). Please report it with the details from the report view. See &quot;Report a fault&quot; in docs/handbook/troubleshooting.md.</source>
         <extracomment>Largest relative difference between a typed length and the value of its field, due to rounding.</extracomment>
-        <translation>Dies ist ein Programmfehler der Arbeitsumgebung ({0}: {1}). Bitte melden Sie ihn mit den Einzelheiten aus dem Ausgabefenster. Siehe „Report a fault“ in docs/handbook/troubleshooting.md.</translation>
+        <translation>Dies ist ein Programmfehler des Arbeitsbereichs ({0}: {1}). Bitte melden Sie ihn mit den Einzelheiten aus dem Ausgabefenster. Siehe „Report a fault“ in docs/handbook/troubleshooting.md.</translation>
     </message>
     <message>
         <source>{0}: &quot;{1}&quot; is not a valid value (it would be read as {2}). Correct it.</source>
@@ -1879,7 +1879,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     <message>
         <source>Studies need the Python package swept_volume, which is missing in {0}: install the workbench again, or build it with &quot;cmake --build build&quot;.</source>
         <extracomment>longest time (s) to wait for the end of its process and of the threads that read its output.</extracomment>
-        <translation>Studien brauchen das Python-Paket swept_volume, das in {0} fehlt: Installieren Sie die Arbeitsumgebung neu, oder kompilieren Sie sie mit „cmake --build build“.</translation>
+        <translation>Studien brauchen das Python-Paket swept_volume, das in {0} fehlt: Installieren Sie den Arbeitsbereich neu, oder kompilieren Sie ihn mit „cmake --build build“.</translation>
     </message>
     <message>
         <source>The program that runs the study ended with exit status {0} and wrote no result: run the study again. To see the output of the program, enter this command in a terminal: swept study &quot;{1}&quot;</source>
@@ -1982,7 +1982,7 @@ FreeCAD hat den Rechenkern hier gesucht:
     </message>
     <message>
         <source>&quot;{0}&quot; has no value &quot;{1}&quot; that can be changed: choose one of {2}.</source>
-        <translation>„{0}“ hat keine änderbare Größe „{1}“: Wählen Sie eine von diesen: {2}.</translation>
+        <translation>„{0}“ hat keinen änderbaren Wert „{1}“. Wählen Sie einen von diesen: {2}.</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; has no value that can be changed: choose another object.</source>
@@ -2343,7 +2343,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>Installed. You can use the workbench now.</source>
-        <translation>Installiert. Sie können die Arbeitsumgebung jetzt benutzen.</translation>
+        <translation>Installiert. Sie können den Arbeitsbereich jetzt benutzen.</translation>
     </message>
     <message>
         <source>Installed. Start FreeCAD again to use it.</source>
@@ -2363,7 +2363,7 @@ path&apos;s size.</extracomment>
     </message>
     <message>
         <source>The workbench computes with a compiled Python package, its core. It is not installed for the Python {0} of this FreeCAD.</source>
-        <translation>Die Arbeitsumgebung rechnet mit einem kompilierten Python-Paket, dem Rechenkern. Für das Python {0} dieses FreeCAD ist er nicht installiert.</translation>
+        <translation>Der Arbeitsbereich rechnet mit einem kompilierten Python-Paket, dem Rechenkern. Für das Python {0} dieses FreeCAD ist er nicht installiert.</translation>
     </message>
     <message>
         <source>Swept envelope</source>
@@ -3561,7 +3561,7 @@ bis etwa {2}, {3}</translation>
     </message>
     <message>
         <source>Pairs of parts that come closer than this length are listed. 0: a tenth of the median size of the parts, or more if a rule needs it</source>
-        <translation>Paare von Teilen, die sich näher als diese Länge kommen, werden aufgelistet. 0: ein Zehntel der mittleren Größe (Median) der Teile, oder mehr, wenn eine Regel es erfordert</translation>
+        <translation>Aufgelistet werden Paare von Teilen, deren Abstand kleiner wird als diese Länge. 0: ein Zehntel der mittleren Größe (Median) der Teile, oder mehr, wenn eine Regel es erfordert</translation>
     </message>
     <message>
         <source>Distance that the objects must keep from each other. 0: they may lie close together, but must not touch</source>
@@ -3669,7 +3669,7 @@ bis etwa {2}, {3}</translation>
     </message>
     <message>
         <source>If no path has been found after this time, the search fails. If one has been found, the search stops improving it</source>
-        <translation>Ist bis dahin keine Bahn gefunden, endet die Suche ohne Ergebnis. Sonst endet nur das Verbessern der Bahn</translation>
+        <translation>Ist nach dieser Zeit keine Bahn gefunden, endet die Suche ohne Ergebnis. Sonst endet nur das Verbessern der Bahn</translation>
     </message>
     <message>
         <source>Number of cells along the longest side of the box around the swept volume</source>

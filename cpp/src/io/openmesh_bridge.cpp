@@ -14,8 +14,8 @@ using OpenMesh::VertexHandle;
 
 void ListImporter::refuseMore(const char* what) const {
   throw Error(Status::InvalidInput, "BadFile",
-              "'" + path_ + "' contains more " + what + " than its " + std::to_string(bytes_) +
-                  " bytes can hold; it is damaged or truncated");
+              "'" + path_ + "' states more " + what + " than fit into its " +
+                  std::to_string(bytes_) + " bytes; it is damaged or truncated: export it again");
 }
 
 VertexHandle ListImporter::add_vertex(const OpenMesh::Vec3d& point) {

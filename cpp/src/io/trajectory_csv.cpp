@@ -52,7 +52,7 @@ class CsvReader {
       throw Error(Status::InvalidInput, "EmptyTrajectory",
                   "'" + path_ +
                       "' has no row of numbers; expected in each row t,tx,ty,tz,qx,qy,qz,qw, or "
-                      "the 12 or 16 numbers of a matrix");
+                      "the 12, 16 or 17 numbers of a matrix");
     }
     return std::move(poses_);
   }

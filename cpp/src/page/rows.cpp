@@ -11,20 +11,23 @@ namespace swept::page {
 namespace {
 
 double numberOf(const Json& value, const char* what) {
-  if (!value.is_number()) badReport(std::string(what) + " is not a number");
+  if (!value.is_number())
+    badReport(std::string(what) + " is not a number; create the report again");
   return value.get<double>();
 }
 
 Eigen::Vector3d vectorOf(const Json& value, const char* what) {
   if (!value.is_array() || value.size() != 3)
-    badReport(std::string(what) + " is not a point with three coordinates");
+    badReport(std::string(what) +
+              " is not a point with three coordinates; create the report again");
   return {numberOf(value[0], what), numberOf(value[1], what), numberOf(value[2], what)};
 }
 
 Pose poseOf(const Json& value) {
   Pose pose;
   const Json& q = value.at("quaternion_xyzw");
-  if (!q.is_array() || q.size() != 4) badReport("a quaternion does not have four numbers");
+  if (!q.is_array() || q.size() != 4)
+    badReport("a quaternion does not have four numbers; create the report again");
   pose.rotation = Eigen::Quaterniond(numberOf(q[3], "quaternion"), numberOf(q[0], "quaternion"),
                                      numberOf(q[1], "quaternion"), numberOf(q[2], "quaternion"));
   pose.translation = vectorOf(value.at("translation"), "a translation");
@@ -56,7 +59,7 @@ Row rowOf(const Json& json, double common) {
   row.name = row.second = json.at("name").get<std::string>();
   row.verdict = json.at("verdict").get<std::string>();
   if (!std::set<std::string_view>{"clear", "below", "contact", "clash"}.contains(row.verdict))
-    badReport("the verdict '" + row.verdict + "' is unknown");
+    badReport("the verdict '" + row.verdict + "' is unknown; create the report again");
   readRule(json, common, row);
   row.meetsRule =
       json.value("meets_rule", row.verdict == "clear" || (row.verdict == "contact" && row.contact));
@@ -130,14 +133,15 @@ void badReport(const std::string& text) {
 double lengthOf(const Json& row, const char* key) {
   const double value = numberOf(row.at(key), key);
   if (!(value >= 0 && std::isfinite(value)))
-    badReport(std::string(key) + " is not a length of 0 or more");
+    badReport(std::string(key) + " is not a length of 0 or more; create the report again");
   return value;
 }
 
 Json parseReport(const std::string& text) {
   Json report = Json::parse(text);
   if (!report.is_object() || report.value("report_version", 0) != kReportVersion)
-    badReport("it is not a report of version " + std::to_string(kReportVersion));
+    badReport("it is not a report of version " + std::to_string(kReportVersion) +
+              "; create the report again");
   const std::string command = report.value("command", "");
   if (command != "clearance" && command != "mechanism" && command != "study")
     badReport("its command is '" + command +

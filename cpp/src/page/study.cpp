@@ -26,7 +26,7 @@ const State& stateOf(const Json& row) {
   const std::string name = row.at("state").get<std::string>();
   for (const State& state : kStates)
     if (name == state.name) return state;
-  badReport("the state '" + name + "' of a run is unknown");
+  badReport("the state '" + name + "' of a run is unknown; create the report again");
 }
 
 std::string stateMark(const Json& row, const Words& words) {

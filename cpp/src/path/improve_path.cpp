@@ -79,8 +79,10 @@ class Improver {
     for (std::size_t i = 1; i < poses.size(); ++i)
       if (!(poses[i].timeSeconds >= poses[i - 1].timeSeconds))
         throw Error(Status::InvalidInput, "BadPose",
-                    "key " + std::to_string(i + 1) +
-                        " is earlier than the key before it; times must not decrease");
+                    "key " + std::to_string(i + 1) + ": time " +
+                        numberText(poses[i].timeSeconds, 6) + " s is earlier than " +
+                        numberText(poses[i - 1].timeSeconds, 6) +
+                        " s, the time of the key before; times must not decrease");
     locked_.assign(keys_.size(), 0);
     locked_.front() = locked_.back() = 1;
     for (const std::size_t i : task_.locked) {

@@ -37,7 +37,8 @@ void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour
   if (o.interpolation == Interpolation::None)
     badOption("interpolation is 'none'; a path needs linear or screw");
   if (o.largestTurn && !(*o.largestTurn >= 0 && *o.largestTurn <= std::numbers::pi + 1e-9))
-    badOption("largest turn is " + numberText(*o.largestTurn * 180 / std::numbers::pi, 6) +
+    badOption("the largest angle by which the part may turn is " +
+              numberText(*o.largestTurn * 180 / std::numbers::pi, 6) +
               " degrees; allowed: 0 to 180");
   if (neighbours.empty())
     throw Error(Status::InvalidInput, "NoNeighbours", "no neighbour is given; choose at least one");
@@ -57,12 +58,14 @@ void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour
                 "take the part out");
   if (task.start && task.extraction)
     badOption(
-        "a start and an extraction (a distance or direction in which to take the part out) are "
-        "both given; give only one of them");
+        "a start and an extraction (a distance to which, or a direction in which, to take the part "
+        "out) are both given; give only one of them");
   if (task.extraction) {
     if (task.extraction->direction &&
         !(task.extraction->direction->norm() > 0 && task.extraction->direction->allFinite()))
-      badOption("the direction of the extraction must be finite and not (0, 0, 0)");
+      badOption(
+          "the direction in which to take the part out must have three finite numbers that are not "
+          "all 0");
     if (!task.extraction->direction)
       requireLength("radius of the extraction", task.extraction->radius, false);
   }

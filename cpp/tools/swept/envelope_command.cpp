@@ -95,10 +95,11 @@ void addOptions(CLI::App& app, EnvelopeJob& job) {
           "the moving part: a file of type ply, stl, obj, off, step, stp, brep or brp, or - for "
           "standard input. All solids of a file move as one part")
       ->required();
-  addText(app, "--motion", "FILE", job.motionPath,
-          "table of poses, or - for standard input. Each row holds t,tx,ty,tz,qx,qy,qz,qw (s, mm, "
-          "unit quaternion), or the 12 or 16 numbers of a matrix. The file may be compressed with "
-          "gzip or xz")
+  addText(
+      app, "--motion", "FILE", job.motionPath,
+      "table of poses, or - for standard input. Each row holds t,tx,ty,tz,qx,qy,qz,qw (s, mm, "
+      "unit quaternion), or the 12, 16 or 17 numbers of a matrix. The file may be compressed with "
+      "gzip or xz")
       ->required();
   addText(app, "-o,--output", "FILE", job.outputPath,
           "file to write, of type ply, stl, obj, off, 3mf, step, stp, brep or brp, or - for "

@@ -88,8 +88,8 @@ def scenario():
     assert text("Folder") == folder and "not installed" in text("State")
     assert index.requests == [], "the index was asked before the user wanted it"
     default, published = core_install.DEFAULT_INDEX, core_install.PUBLISHED
-    assert ("not published" in core_dialog.told_source(default)) == (not published)
-    assert core_dialog.told_source(index.address) == index.address
+    assert ("not published" in core_dialog.source_text(default)) == (not published)
+    assert core_dialog.source_text(index.address) == index.address
     shot("80_core_offer")
     yield 0.6
 

@@ -101,6 +101,7 @@ class Taken:
 def problem_text(name):
     """Returns the text about a run that the study file does not contain any more."""
     text = translate(
-        "SweptVolume", 'The study file no longer contains the run "{0}": run the study again.'
+        "SweptVolume",
+        'The study file no longer contains the run "{0}": run the study again to update the list.',
     )
     return text.format(name)
