@@ -59,8 +59,8 @@ struct PathOptions {
   /// Largest number of moves that the search with turns tries before it ends. The result then does
   /// not depend on the speed of the machine. 1: only the quick methods. Not set: no limit.
   std::optional<std::int64_t> mostSteps;
-  bool tryLowerClearance =
-      true;  ///< if no path is found, look for a smaller clearance that allows one
+  /// If no path is found, look for a smaller clearance that allows one.
+  bool tryLowerClearance = true;
   std::uint64_t seed = 1;
 };
 

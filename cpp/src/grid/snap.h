@@ -34,6 +34,13 @@ inline SnappedPoint snap(const Placement& p, const Eigen::Vector3d& x) {
   return out;
 }
 
+/// Returns whether a lattice line can meet a box, given the cells of its two corners. A line along
+/// one axis can only if the corners lie in different cells along both other axes.
+template <class Cell>
+bool meetsLines(const Cell& low, const Cell& high) {
+  return int{low[0] != high[0]} + int{low[1] != high[1]} + int{low[2] != high[2]} >= 2;
+}
+
 /// The bounding box of some snapped points.
 struct SnappedBox {
   SnappedPoint low, high;
@@ -48,11 +55,11 @@ struct SnappedBox {
       }
     }
   }
-  /// Returns whether a lattice line can meet the box. A line along one axis can if there are
-  /// multiples of 2^17 between the bounds of both other axes; the bounds themselves are odd.
   bool meetsLines() const {
-    const auto crosses = [&](int axis) { return low[axis] >> kSubBits != high[axis] >> kSubBits; };
-    return int{crosses(0)} + int{crosses(1)} + int{crosses(2)} >= 2;
+    const auto cell = [](const SnappedPoint& p) {
+      return SnappedPoint{p[0] >> kSubBits, p[1] >> kSubBits, p[2] >> kSubBits};
+    };
+    return swept::meetsLines(cell(low), cell(high));
   }
 };
 

@@ -11,7 +11,7 @@
 #include "geometry/mesh_numbers.h"
 #include "input/body_orientation.h"
 #include "input/body_weld.h"
-#include "input/trajectory_check.h"
+#include "input/options_check.h"
 
 namespace swept {
 namespace {

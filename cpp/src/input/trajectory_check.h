@@ -30,12 +30,4 @@ struct CheckedTrajectory {
 CheckedTrajectory checkTrajectory(const Trajectory& trajectory,
                                   RepeatedPoses repeats = RepeatedPoses::Drop);
 
-/// Checks the options. Throws Error(InvalidInput, "BadOption") with the name, the value and the
-/// allowed range (row 16 of docs/bad_input.md).
-void checkOptions(const Options& options);
-/// Return a tolerance of the options, or its default. They throw the same error if the tolerance is
-/// too large for the size of the cells, or for the diagonal of the body's bounding box (both mm).
-double chordTolerance(const Options& options, double cell);
-double weldTolerance(const Options& options, double diagonal);
-
 }  // namespace swept

@@ -10,7 +10,7 @@
 #include "base/memory.h"
 #include "base/threads.h"
 #include "base/timer.h"
-#include "input/trajectory_check.h"
+#include "input/options_check.h"
 #include "pipeline/envelope_run.h"
 #include "pipeline/guarded.h"
 #include "pipeline/kept_surface.h"

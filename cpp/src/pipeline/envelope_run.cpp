@@ -6,7 +6,7 @@
 #include "crossings/element_probe.h"
 #include "crossings/hermite.h"
 #include "input/body_check.h"
-#include "input/trajectory_check.h"
+#include "input/options_check.h"
 #include "motion/pivot.h"
 #include "pipeline/backend.h"
 #include "pipeline/enclosure.h"

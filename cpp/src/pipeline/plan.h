@@ -11,6 +11,7 @@
 
 #include "grid/grid_plan.h"
 #include "input/body_check.h"
+#include "input/options_check.h"
 #include "input/trajectory_check.h"
 #include "motion/motion.h"
 #include "swept/compute.h"

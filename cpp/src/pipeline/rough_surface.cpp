@@ -66,10 +66,10 @@ double travelInCells(const SamplerInput& whole, const Motion& motion) {
   return sum / 8 / whole.grid.cell;
 }
 
-/// Returns the factor by which the cells must be larger to stay within `room`. Estimates the number
-/// of crossings from a few placements on the coarsest grid.
-std::int32_t coarseningFor(const SamplerInput& whole, const Motion& motion, const RoughLimits& room,
-                           RunContext& run) {
+/// Returns the factor by which the cells must be larger to stay within `limits`. Estimates the
+/// number of crossings from a few placements on the coarsest grid.
+std::int32_t coarseningFor(const SamplerInput& whole, const Motion& motion,
+                           const RoughLimits& limits, RunContext& run) {
   const std::int32_t longest =
       *std::max_element(whole.grid.points.begin(), whole.grid.points.end());
   const std::int32_t most = std::clamp(longest / kMinLongestCells, 1, kCoarsest);
@@ -90,7 +90,7 @@ std::int32_t coarseningFor(const SamplerInput& whole, const Motion& motion, cons
   const double stripes = motion.continuous ? static_cast<double>(whole.body.triangles.size()) *
                                                  travelInCells(whole, motion)
                                            : 0;
-  const double wanted = std::max(std::sqrt(crossings / room.crossings), stripes / room.stripes);
+  const double wanted = std::max(std::sqrt(crossings / limits.crossings), stripes / limits.stripes);
   return static_cast<std::int32_t>(std::clamp(std::ceil(wanted), 1.0, static_cast<double>(most)));
 }
 
@@ -104,16 +104,16 @@ RoughLimits limitsFor(const SamplingCost& sampling, double copies) {
           std::clamp(kPart * copies, least.stripes, most.stripes)};
 }
 
-RoughSurface roughSurface(const SamplerInput& whole, const RoughLimits& room,
+RoughSurface roughSurface(const SamplerInput& whole, const RoughLimits& limits,
                           std::optional<MarkedEdges> known, ComponentMethod components,
                           RunContext& run) {
   const double faces = static_cast<double>(whole.body.triangles.size());
   const std::size_t all = whole.motion.placements.size();
-  const auto wanted = static_cast<std::size_t>(room.faces / faces);
+  const auto wanted = static_cast<std::size_t>(limits.faces / faces);
   const bool few = known || (all <= kMaxWhole && all <= wanted);
   Motion part =
       thinned(whole.motion, few ? all : std::min(std::clamp(wanted, kMinPoses, kMaxPoses), all));
-  const std::int32_t times = known ? 1 : coarseningFor(whole, part, room, run);
+  const std::int32_t times = known ? 1 : coarseningFor(whole, part, limits, run);
   const GridPlan grid = coarser(whole.grid, times);
   MarkedEdges marked = known ? std::move(*known) : sampleCpu(whole.with(part, grid), run);
   RoughSurface found;

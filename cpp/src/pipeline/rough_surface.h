@@ -35,7 +35,7 @@ struct RoughSurface {
 
 /// Returns the estimate. `known`: the marked edges of the whole motion on the grid of the run, if
 /// they exist; the function consumes them.
-RoughSurface roughSurface(const SamplerInput& whole, const RoughLimits& room,
+RoughSurface roughSurface(const SamplerInput& whole, const RoughLimits& limits,
                           std::optional<MarkedEdges> known, ComponentMethod components,
                           RunContext& run);
 

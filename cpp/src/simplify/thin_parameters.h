@@ -1,5 +1,5 @@
 // Parameters of the thinning, for each purpose. Units: fractions and counts.
-// They come from trials with a limit of 0.08 cells on a part with curved and plane faces: the
+// Source: trials with a limit of 0.08 cells on a part with curved and plane faces: the
 // fandisk test mesh moved over 16 keys, 1.2 million triangles. The mesh for edge collapses gets a
 // quarter of the triangles of the mesh for surface recognition. More rounds do not reduce it
 // further.

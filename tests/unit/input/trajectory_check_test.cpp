@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "input/options_check.h"
 #include "support/shapes.h"
 
 namespace swept::test {

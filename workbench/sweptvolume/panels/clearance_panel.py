@@ -78,9 +78,11 @@ class ClearancePanel(CheckRun, ResultPanel):
         self.moving = QtWidgets.QLabel(", ".join(label_of(*p) for p in self.pairs) or "-")
         rows.addRow(translate("SweptVolume", "Moving parts"), self.moving)
         rows.addRow(translate("SweptVolume", "Motion"), self.path)
-        self.all = QtWidgets.QCheckBox(translate("SweptVolume", "All visible"))
-        self.all.setChecked(bool(all_visible))
-        widgets.hint(self.all, translate("SweptVolume", "All other visible parts are neighbours"))
+        self.all = widgets.check_box(
+            translate("SweptVolume", "All visible"),
+            bool(all_visible),
+            translate("SweptVolume", "All other visible parts are neighbours"),
+        )
         self.chosen = QtWidgets.QLabel()
         self.chosen.setWordWrap(True)
         self.take = QtWidgets.QPushButton(translate("SweptVolume", "Ta&ke selected as neighbours"))

@@ -99,18 +99,16 @@ class EnvelopeFields:
         rows.addRow(self.estimate_label)
         rows.addRow(translate("SweptVolume", "Tolerance"), self.tolerance)
         rows.addRow(translate("SweptVolume", "Offset"), self.offset)
-        self.conservative = QtWidgets.QCheckBox(translate("SweptVolume", "Conservative"))
-        self.conservative.setChecked(values["Conservative"])
-        widgets.hint(
-            self.conservative,
+        self.conservative = widgets.check_box(
+            translate("SweptVolume", "Conservative"),
+            values["Conservative"],
             translate(
                 "SweptVolume", "Grows the envelope until it provably contains the swept volume"
             ),
         )
-        self.cavities = QtWidgets.QCheckBox(translate("SweptVolume", "Keep cavities"))
-        self.cavities.setChecked(values["KeepCavities"])
-        widgets.hint(
-            self.cavities,
+        self.cavities = widgets.check_box(
+            translate("SweptVolume", "Keep cavities"),
+            values["KeepCavities"],
             translate(
                 "SweptVolume", "Keeps enclosed cavities as inner shells; otherwise they are filled"
             ),

@@ -55,13 +55,12 @@ class MechanismPanel(CheckRun, ResultPanel):
 
     def _build_inputs(self, all_visible, values):
         rows = widgets.group(translate("SweptVolume", "Check"), self.layout)
-        self.all = QtWidgets.QCheckBox(translate("SweptVolume", "All visible"))
-        self.all.setObjectName("SweptVolumeStanding")
-        self.all.setChecked(bool(all_visible))
-        widgets.hint(
-            self.all,
+        self.all = widgets.check_box(
+            translate("SweptVolume", "All visible"),
+            bool(all_visible),
             translate("SweptVolume", "All other visible parts are neighbours that stand still"),
         )
+        self.all.setObjectName("SweptVolumeStanding")
         self.chosen = QtWidgets.QLabel()
         self.chosen.setWordWrap(True)
         self.take = QtWidgets.QPushButton(translate("SweptVolume", "Ta&ke selected as neighbours"))

@@ -49,10 +49,9 @@ class SolidPanel(StartPanel):
     def _build(self, values):
         rows = widgets.group(translate("SweptVolume", "Solid"), self.layout)
         self.fields = rows.parentWidget()
-        self.merge = QtWidgets.QCheckBox(translate("SweptVolume", "Merge coplanar"))
-        self.merge.setChecked(values["merge"])
-        widgets.hint(
-            self.merge,
+        self.merge = widgets.check_box(
+            translate("SweptVolume", "Merge coplanar"),
+            values["merge"],
             translate("SweptVolume", "Merges adjacent coplanar triangles into one flat face"),
         )
         self.tolerance = widgets.length(values["tolerance"])

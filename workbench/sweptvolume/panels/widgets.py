@@ -143,6 +143,12 @@ def hint(field, text):
     return field
 
 
+def check_box(text, checked, tip):
+    box = hint(QtWidgets.QCheckBox(text), tip)
+    box.setChecked(checked)
+    return box
+
+
 def number_of(flag):
     """Returns the number of a Qt constant. In PySide2 the constant is the number; in PySide6 the
     number is its attribute `value`."""

@@ -45,13 +45,13 @@ class Patcher {
     return rings_.size() == 1 || areApart();
   }
 
-  void layers(const Cell& cell, const Crossing* crossings, const CellBox& place) {
+  void layers(const Cell& cell, const Crossing* crossings, const CellBox& box) {
     patch_ = {};
     patch_.layered = true;
     const RingSides sides(cell, crossings, rings_);
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     for (const PatchRing& ring : points_) {
-      for (const Eigen::Vector3d& p : ring.points) centre += place.toLocal(p) / firstAdded_;
+      for (const Eigen::Vector3d& p : ring.points) centre += box.toLocal(p) / firstAdded_;
     }
     centre = centre.cwiseMax(kCentreMargin).cwiseMin(1 - kCentreMargin);
     const Nesting nesting = sides.nesting();
@@ -60,7 +60,7 @@ class Patcher {
       const double scale =
           kOuterCopy - (kOuterCopy - kInnerCopy) * (nesting.height[r] - 1) / std::max(1, most);
       fill(r, sides, nesting.left[r], [&](const Eigen::Vector3d& local) {
-        return add(r, place.toWorld(centre + scale * (local - centre)));
+        return add(r, box.toWorld(centre + scale * (local - centre)));
       });
     }
   }
@@ -151,7 +151,7 @@ class Patcher {
 }  // namespace
 
 CellPatch patchOf(const Cell& cell, const Crossing* crossings, const std::vector<CellRing>& rings,
-                  const std::vector<PatchRing>& points, const CellBox& place) {
+                  const std::vector<PatchRing>& points, const CellBox& box) {
   if (rings.empty()) return {};
   Patcher patcher(rings, points);
   std::size_t most = 0;
@@ -159,7 +159,7 @@ CellPatch patchOf(const Cell& cell, const Crossing* crossings, const std::vector
   for (std::size_t n = 0; n < most; ++n) {
     if (patcher.fans(n)) return patcher.take();
   }
-  patcher.layers(cell, crossings, place);
+  patcher.layers(cell, crossings, box);
   return patcher.take();
 }
 

@@ -51,6 +51,6 @@ struct CellBox {
 
 /// Fills the rings of a cell. `rings` and `points` have the same order.
 CellPatch patchOf(const Cell& cell, const Crossing* crossings, const std::vector<CellRing>& rings,
-                  const std::vector<PatchRing>& points, const CellBox& place);
+                  const std::vector<PatchRing>& points, const CellBox& box);
 
 }  // namespace swept

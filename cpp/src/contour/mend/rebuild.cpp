@@ -213,7 +213,7 @@ class Rebuilder {
 
   std::int32_t addVertex(const CellIndex& cell, const Eigen::Vector3d& local,
                          std::uint32_t crossing) {
-    return addVertex(placeOf(cell).toWorld(local), grid_.crossings[crossing].timeSeconds);
+    return addVertex(cellBoxOf(cell).toWorld(local), grid_.crossings[crossing].timeSeconds);
   }
   std::int32_t addVertex(const Eigen::Vector3d& world, double time) {
     mesh_.vertices.push_back(world);
@@ -224,7 +224,7 @@ class Rebuilder {
     mesh_.triangles.push_back(triangle);
     surface_.crossingOf.push_back(crossing);
   }
-  CellBox placeOf(const CellIndex& cell) const {
+  CellBox cellBoxOf(const CellIndex& cell) const {
     return {grid_.plan.origin + grid_.plan.cell * vectorOf(cell).cast<double>(), grid_.plan.cell};
   }
 
@@ -281,7 +281,7 @@ class Rebuilder {
       points.push_back(std::move(to));
     }
     const CellPatch patch =
-        patchOf(cell.crossings, grid_.crossings.data(), cell.rings, points, placeOf(index));
+        patchOf(cell.crossings, grid_.crossings.data(), cell.rings, points, cellBoxOf(index));
     for (std::size_t p = 0; p < patch.added.size(); ++p) {
       const CellRing& ring = cell.rings[patch.ringOf[p]];
       numbers.push_back(addVertex(patch.added[p], firstTime(cell, ring)));
@@ -312,7 +312,7 @@ class Rebuilder {
       vertex = own;
     }
     if (vertex < 0) return {};
-    const Eigen::Vector3d local = placeOf(index).toLocal(mesh_.vertices[vertex]);
+    const Eigen::Vector3d local = cellBoxOf(index).toLocal(mesh_.vertices[vertex]);
     if (local.minCoeff() < kInside || local.maxCoeff() > 1 - kInside) return {};
     return mesh_.vertices[vertex];
   }

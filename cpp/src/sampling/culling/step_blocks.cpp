@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "base/sort_unique.h"
 #include "base/timer.h"
+#include "grid/snap.h"
 #include "sampling/culling/inside_map.h"
 
 namespace swept {
@@ -22,14 +23,6 @@ constexpr double kMaxGroup = 2, kMinGroup = 1e-3;
 constexpr double kFaceGroup = 0.5;
 /// Grouping saves time only if groups have at least this many placements on average.
 constexpr std::size_t kWorthGroup = 8;
-
-/// Returns whether a triangle or flat quad with this bounding box (in cells) can meet a grid line.
-/// To meet a line along one axis, the box must contain whole numbers along both other axes.
-bool meetsLines(const Eigen::Array3d& low, const Eigen::Array3d& high) {
-  int axes = 0;
-  for (int axis = 0; axis < 3; ++axis) axes += std::floor(low[axis]) < std::floor(high[axis]);
-  return axes >= 2;
-}
 
 /// Returns the groups of some placements, in ascending order.
 std::vector<std::uint32_t> groupsOf(const std::vector<PlacementRange>& ranges,
@@ -71,7 +64,7 @@ PlacementBlock PlacementBounds::blockOf(const Box& box) {
   const Box::Map middle = (box.low + box.high) / 2, half = (box.high - box.low) / 2;
   PlacementBlock block;
   block.turn = middle.head<9>().matrix().reshaped(3, 3);
-  block.place = middle.tail<3>().matrix();
+  block.position = middle.tail<3>().matrix();
   block.turnSpread = half.head<9>().matrix().norm() * kRounding;
   block.positionSpread = half.tail<3>().matrix().norm() * kRounding;
   return block;
@@ -82,9 +75,10 @@ bool PlacementBounds::shows(const PlacementBlock& block, const FaceCluster& clus
   const double reach = cluster.radius / input_.grid.cell * kRounding + block.positionSpread +
                        block.turnSpread * (arm.norm() + cluster.radius) + kSnapReach;
   if (reach > 0.5 && !hasInside()) return true;
-  const Eigen::Array3d at = (block.turn * arm + block.place).array();
+  const Eigen::Array3d at = (block.turn * arm + block.position).array();
   const Eigen::Array3d low = at - reach, high = at + reach;
-  return meetsLines(low, high) && !(hasInside() && input_.inside->hides(low, high));
+  return meetsLines(low.floor().eval(), high.floor().eval()) &&
+         !(hasInside() && input_.inside->hides(low, high));
 }
 
 bool PlacementBounds::shows(const PlacementBlock& block, std::uint32_t face) const {
@@ -93,7 +87,7 @@ bool PlacementBounds::shows(const PlacementBlock& block, std::uint32_t face) con
   for (std::size_t n = 0; n < 3; ++n) {
     const Eigen::Vector3d arm = input_.body.vertices[input_.body.triangles[face][n]] - centre_;
     farthest = std::max(farthest, arm.norm());
-    corner[n] = block.turn * arm + block.place;
+    corner[n] = block.turn * arm + block.position;
   }
   const double reach = block.positionSpread + block.turnSpread * farthest + kSnapReach;
   return !input_.inside->hides(corner, reach);

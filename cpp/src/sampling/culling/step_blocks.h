@@ -26,10 +26,10 @@
 namespace swept {
 
 /// Bounds on a group of placements. Each placement maps a point x of the body to about turn * (x -
-/// centre of the body) + place, in cells.
+/// centre of the body) + position, in cells.
 struct PlacementBlock {
   Eigen::Matrix3d turn;
-  Eigen::Vector3d place;
+  Eigen::Vector3d position;
   double positionSpread = 0;  ///< largest deviation at the centre, cells
   double turnSpread = 0;      ///< further deviation, cells per mm of distance from the centre
 };
