@@ -58,13 +58,13 @@ MAY_INCLUDE = {
     "solid/recognise": BELOW | {"solid/carrier", "solid/mesh"},
     "solid/model": BELOW | {"solid/carrier", "solid/mesh", "solid/recognise"},
     "solid/text": BELOW | {"solid/carrier", "solid/mesh", "solid/model"},
-    # Makes faces from the sources of the triangles. Uses functions of `recognise` to cut around patches.
-    "solid/label": BELOW | {"solid/carrier", "solid/mesh", "solid/recognise"},
+    # Makes the solid of a sweep from the faces and edges of the body, with the kernel.
+    "solid/assemble": BELOW,
     "solid/kernel": BELOW
-    | {f"solid/{r}" for r in "carrier mesh recognise label model text".split()},
+    | {f"solid/{r}" for r in "carrier mesh recognise model text assemble".split()},
     "solid": BELOW
     | {"simplify"}
-    | {f"solid/{r}" for r in "carrier sweep mesh recognise label model text".split()},
+    | {f"solid/{r}" for r in "carrier sweep mesh recognise model text".split()},
     "pipeline": BELOW | STAGES | SAMPLERS | {"sampling/culling", "contour/mend"},
     "python": {"base", "io"},  # besides the public headers
     "tools": {"base", "io"},
@@ -89,7 +89,7 @@ THIRD_PARTIES = [
     (re.compile(r"pybind11/"), {"python"}, "pybind11"),
     (re.compile(r"fcl/"), {"clearance"}, "FCL"),
     (re.compile(r"EGL/|GL/|glm/"), {"sampling/gl"}, "OpenGL"),
-    (re.compile(r"[A-Za-z0-9_]+\.hxx"), {"solid/kernel"}, "OpenCASCADE"),
+    (re.compile(r"[A-Za-z0-9_]+\.hxx"), {"solid/kernel", "solid/assemble"}, "OpenCASCADE"),
 ]
 # Files that may use the headers and the names of POSIX, Linux, macOS and Windows.
 SYSTEM_FILES = {
@@ -133,7 +133,7 @@ def breach(path, root, quoted, header):
         return room + unknown
     for pattern, allowed, name in THIRD_PARTIES:
         if pattern.match(header):
-            # OpenCASCADE is for solid/kernel/, not for solid/ and its other rooms.
+            # OpenCASCADE is for two rooms in solid/, not for solid/ and its other rooms.
             part = room if name == "OpenCASCADE" else room.split("/")[0]
             return None if {part, room} & allowed else f"{name} is not for {room}/"
     if not quoted or "/" not in header or header.startswith("swept/"):

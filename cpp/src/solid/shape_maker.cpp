@@ -9,7 +9,6 @@
 #include "base/sort_unique.h"
 #include "geometry/nearest_triangle.h"
 #include "solid/carrier/section.h"
-#include "solid/label/label_faces.h"
 #include "solid/mesh/decimate.h"
 #include "solid/mesh/patches.h"
 #include "solid/model/bent_arcs.h"
@@ -165,72 +164,7 @@ class ShapeMaker {
                     "; repair the mesh there, set another tolerance, or export a mesh file");
   }
 
-  // Makes the solid from the exact faces of the sweep. In each round, the triangles around unsound
-  // edges and faces lose their patches and become facets. Returns nothing if some faces stay
-  // unsound, or if most faces are facets: then recognised surfaces give no more faces.
-  std::optional<Built> makeLabelled(std::int64_t& faces) {
-    constexpr int kRounds = 6, kFacetsPerFace = 2;
-    isLabelled_ = true;
-    // Along creases, vertices of the mesh do not lie on the surface, but crossings do.
-    std::vector<Eigen::Vector3d> crossings;
-    for (const std::uint32_t row : options_.origin->sources.of) {
-      if (row != Sources::kNone) crossings.push_back((*options_.origin->sources.rows)[row].point);
-    }
-    points_ = &crossings;
-    const double tolerance = kFaceFraction * options_.tolerance;
-    for (int round = 0; round < kRounds; ++round) {
-      const Partition first = labelFaces(dense_, *options_.origin,
-                                         kSurfaceFraction * options_.tolerance, facetPoints_, run_);
-      recognisedCount_ = static_cast<std::int32_t>(first.patches.size());
-      if (recognisedCount_ == 0) return std::nullopt;
-      labelled_ = &first;
-      Decimated start{dense_, first, {}, {}, 0};
-      const auto open = std::count(first.patchOf.begin(), first.patchOf.end(), -1);
-      if (4 * open > std::ssize(first.patchOf))
-        start = thinOpenGround(std::move(start), kThinFraction * options_.tolerance, run_);
-      start = decimate(std::move(start), tolerance, original_, run_);
-      refused_.clear();
-      const std::size_t before = facetPoints_.size();
-      if (auto built = tryMesh(start, faces)) {
-        if (hasFacets(built->model) && 2 * built->facesByKind["facet"] > faces) return std::nullopt;
-        return built;
-      }
-      if (facetPoints_.size() == before || faces > (1 + kFacetsPerFace) * recognisedCount_)
-        return std::nullopt;
-    }
-    return std::nullopt;
-  }
-
  private:
-  // Records where facets are needed: along edges that lie off these faces, or on whole faces.
-  void recordFacetPoints(const std::vector<std::int32_t>& bad, const Model& model, bool isLoose) {
-    for (const std::int32_t f : bad) {
-      const ModelFace& face = model.faces[f];
-      if (face.patch >= recognisedCount_) continue;
-      if (!isLoose) {
-        for (const std::int32_t t : labelled_->patches[face.patch].triangles) {
-          const auto& [a, b, c] = dense_.triangles[t];
-          facetPoints_.push_back((dense_.points[a] + dense_.points[b] + dense_.points[c]) / 3);
-        }
-        continue;
-      }
-      for (const auto& loop : face.loops) {
-        for (const ModelUse& use : loop) {
-          const Curve& curve = model.edges[use.edge].curve;
-          if (largestGap(curve, face.surface) > options_.tolerance)
-            recordEdge(curve, face.surface, 0.5 * options_.tolerance);
-        }
-      }
-    }
-  }
-
-  void recordEdge(const Curve& curve, const Carrier& surface, double gap) {
-    for (int i = 0; i <= kEdgeSteps; ++i) {
-      const Eigen::Vector3d p = curve.at(curve.last * i / kEdgeSteps);
-      if (std::abs(surface.distance(p)) > gap) facetPoints_.push_back(p);
-    }
-  }
-
   bool isWorthTrial() const { return dense_.triangles.size() > kMinTrialTriangles; }
 
   // A rough simplification finds the patches that are not worth their border, and those that the
@@ -282,20 +216,14 @@ class ShapeMaker {
   std::vector<std::int32_t> findUnsound(Model& model) {
     if (options_.tolerance > 0) {
       std::vector<std::int32_t> loose = findLooseFaces(model, recognisedCount_, options_.tolerance);
-      isLoose_ = !loose.empty();
-      if (isLoose_) return loose;
+      if (!loose.empty()) return loose;
     }
     std::vector<EdgeCut> offFaces;
     const std::vector<std::int32_t> failed = setModelAndCutEdges(model, offFaces);
     if (!failed.empty()) return failed;
     // If there are facets anyway, the curved faces at these edges may become facets, too. A solid
     // without facets keeps its curved faces, because they would become hundreds of facets.
-    if (!offFaces.empty() && hasFacets(model)) {
-      for (const EdgeCut& cut : offFaces)
-        facetPoints_.push_back(model.edges[cut.edge].curve.at(cut.at));
-      isLoose_ = true;
-      return curvedFacesOf(offFaces, model);
-    }
+    if (!offFaces.empty() && hasFacets(model)) return curvedFacesOf(offFaces, model);
     std::vector<std::int32_t> bad = judge_.findBadFaces(run_, 0.1, 0.3);
     return bad.empty() ? judge_.findUnreadable(model, options_, run_) : bad;
   }
@@ -312,7 +240,6 @@ class ShapeMaker {
       if (sound && options_.tolerance > 0) bad = judge_.findInterfering(model, run_);
       if (bad.empty()) return true;
       refusedText_ = facesText(bad, model);
-      if (isLabelled_) recordFacetPoints(bad, model, isLoose_);
       const bool changed = withdraw(bad, model, recognisedCount_, small, refused_);
       if (!refused_.empty()) return false;
       // If only facets intersect and no recognised surface is left to withdraw, they are kept,
@@ -341,18 +268,18 @@ class ShapeMaker {
       const auto repair = [&](const std::vector<Eigen::Vector3d>& points) {
         deviation = measureDeviation(points, small, model.positions, tolerance);
         if (exact || deviation.beyond.empty() || repairs == kRepairs) return false;
-        affected = pointsAbout(deviation.beyond, small, tolerance, *points_);
+        affected = pointsAbout(deviation.beyond, small, tolerance, whole_.points);
         return putCorners(deviation.beyond, base, run_);
       };
       if (repairs > 0 && repair(affected)) continue;
-      if (repair(*points_)) continue;
+      if (repair(whole_.points)) continue;
       if (!acceptFaces(small, tolerance, model)) return std::nullopt;
-      if (countFaces(small.partition) != faces && repair(*points_)) continue;
+      if (countFaces(small.partition) != faces && repair(whole_.points)) continue;
       return describe(std::move(model), deviation.largest);
     }
   }
 
-  static constexpr int kRepairs = 16, kEdgeSteps = 96;
+  static constexpr int kRepairs = 16;
   /// Number of triangles. For a smaller mesh, a trial costs more time than it saves.
   static constexpr std::size_t kMinTrialTriangles = 20000;
   const HalfEdgeMesh& whole_;
@@ -365,10 +292,6 @@ class ShapeMaker {
   std::int32_t recognisedCount_ = 0;   // patches below this number were recognised
   std::vector<std::int32_t> refused_;  // patches that lose their surface
   std::string refusedText_;            // number and position of the faces refused last
-  bool isLabelled_ = false, isLoose_ = false;
-  const std::vector<Eigen::Vector3d>* points_ = &whole_.points;  // must be near the solid
-  const Partition* labelled_ = nullptr;       // the labelled patches of this round
-  std::vector<Eigen::Vector3d> facetPoints_;  // triangles around these become facets next
 };
 
 }  // namespace
@@ -378,23 +301,6 @@ std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& de
                                const std::function<bool(std::int64_t)>& fits, Judge& judge,
                                std::int64_t& faces, RunContext& run) {
   return ShapeMaker(whole, dense, options, fits, judge, run).make(faces);
-}
-
-std::optional<Built> makeLabelledShape(const HalfEdgeMesh& mesh, const SolidOptions& options,
-                                       const std::function<bool(std::int64_t)>& fits, Judge& judge,
-                                       RunContext& run) {
-  std::optional<Built> built;
-  try {
-    judge.guard(
-        [&] {
-          std::int64_t faces = 0;
-          built = ShapeMaker(mesh, mesh, options, fits, judge, run).makeLabelled(faces);
-        },
-        run);
-  } catch (const Error& error) {
-    if (error.status() != Status::ExportFailed) throw;
-  }
-  return built;
 }
 
 }  // namespace swept::step

@@ -24,6 +24,7 @@
 namespace swept::step {
 
 struct Built {
+  /// Without faces if the judge assembled the solid itself (body_solid.h).
   Model model;
   std::map<std::string, std::int64_t> facesByKind;
   double deviation = 0;  // mm, of the mesh's vertices from the faces of the solid
@@ -35,10 +36,5 @@ std::optional<Built> makeShape(const HalfEdgeMesh& whole, const HalfEdgeMesh& de
                                const SolidOptions& options,
                                const std::function<bool(std::int64_t)>& fits, Judge& judge,
                                std::int64_t& faces, RunContext& run);
-
-/// Returns a shape with the faces of SolidOptions::origin, or nothing if they do not fit together.
-std::optional<Built> makeLabelledShape(const HalfEdgeMesh& mesh, const SolidOptions& options,
-                                       const std::function<bool(std::int64_t)>& fits, Judge& judge,
-                                       RunContext& run);
 
 }  // namespace swept::step

@@ -10,6 +10,7 @@
 #include "base/number_text.h"
 #include "base/safe_file.h"
 #include "simplify/thin.h"
+#include "solid/body_solid.h"
 #include "solid/mesh/decimate.h"
 #include "solid/text/step_text.h"
 
@@ -106,7 +107,7 @@ Built buildUpright(const HalfEdgeMesh& mesh, SolidOptions& options, SolidFormat 
   if (!given) options.tolerance = kFirst * diagonal;
   for (;; options.tolerance *= 2) {
     if (options.origin != nullptr && options.recognise) {
-      if (auto built = makeLabelledShape(mesh, options, fits, judge, run)) return std::move(*built);
+      if (auto built = makeFromBody(mesh, options, fits, judge, run)) return std::move(*built);
     }
     if (dense->triangles.size() > kDense) {
       // Continues with the mesh of the previous round, which was thinned with half the limit.
@@ -171,6 +172,8 @@ void writeBuilt(const Built& built, Judge& judge, std::ostream& out, const std::
                 const SolidOptions& options, SolidFormat format, RunContext& run) {
   if (format == SolidFormat::Brep) {
     judge.writeBrep(out, run);
+  } else if (built.model.faces.empty()) {
+    judge.writeAssembled(out, name, options, run);
   } else {
     writeStepText(built.model, out, name, options, run);
   }

@@ -14,7 +14,6 @@
 
 namespace swept::step {
 
-struct Traces;
 
 enum class CarrierKind {
   Facet,
@@ -51,8 +50,6 @@ struct Carrier {
   /// along xdir and axis x xdir. The profile of a revolution lies in the half plane of xdir. Its
   /// coordinates are the distance from the axis and the position along the axis.
   std::shared_ptr<const Profile> profile;
-  /// Known curves and points of the surface where other surfaces meet it (traces.h). Null: none.
-  std::shared_ptr<const Traces> traces;
   /// The surface of a carrier of kind Sheet; null for other kinds. With it, only the fields `kind`,
   /// `reversed` and `traces` above are used.
   std::shared_ptr<const Sheet> sheet;

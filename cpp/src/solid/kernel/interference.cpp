@@ -117,6 +117,16 @@ std::vector<std::int32_t> findInterfering(const Model& model, const Brep& brep, 
   return found;
 }
 
+bool doesIntersectItself(const TopoDS_Shape& shape) {
+  BOPAlgo_ArgumentAnalyzer analyzer;
+  analyzer.SetShape1(shape);
+  analyzer.SelfInterMode() = true;
+  analyzer.StopOnFirstFaulty() = true;
+  analyzer.SetRunParallel(true);
+  analyzer.Perform();
+  return analyzer.HasFaulty();
+}
+
 std::vector<EdgeCut> findEdgesOffFaces(const Model& model, const Brep& brep) {
   std::vector<std::vector<std::int32_t>> faces(model.edges.size());
   for (std::size_t f = 0; f < model.faces.size(); ++f) {

@@ -20,6 +20,9 @@ namespace swept::step {
 
 std::vector<std::int32_t> findInterfering(const Model& model, const Brep& brep, RunContext& run);
 
+/// Returns whether faces of the shape intersect others, by the same test of all of them.
+bool doesIntersectItself(const TopoDS_Shape& shape);
+
 /// Returns edges of curved faces that are farther from a face than a reader of the file would
 /// assume. A reader computes the tolerance of an edge from the distances at some of its points.
 /// Each entry has the curve parameter at which the distance is largest.

@@ -1,9 +1,18 @@
 // The judge (model/judge.h) of builds with OpenCASCADE.
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepAdaptor_Surface.hxx>
 #include <Standard_ErrorHandler.hxx>
 #include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <fstream>
 #include <optional>
+#include <sstream>
 
+#include "base/safe_file.h"
+#include "solid/assemble/assemble.h"
+#include "solid/assemble/body_shape.h"
+#include "solid/assemble/shape_triangles.h"
 #include "solid/kernel/brep.h"
 #include "solid/kernel/interference.h"
 #include "solid/kernel/kernel.h"
@@ -33,6 +42,27 @@ namespace {
 // distance (mm) of their planes.
 constexpr double kExact = 1e-5;
 
+std::string kindOf(const TopoDS_Face& face) {
+  switch (BRepAdaptor_Surface(face, Standard_False).GetType()) {
+    case GeomAbs_Plane:
+      return surfaceKindName(CarrierKind::Plane);
+    case GeomAbs_Cylinder:
+      return surfaceKindName(CarrierKind::Cylinder);
+    case GeomAbs_Cone:
+      return surfaceKindName(CarrierKind::Cone);
+    case GeomAbs_Sphere:
+      return surfaceKindName(CarrierKind::Sphere);
+    case GeomAbs_Torus:
+      return surfaceKindName(CarrierKind::Torus);
+    case GeomAbs_SurfaceOfExtrusion:
+      return surfaceKindName(CarrierKind::Extrusion);
+    case GeomAbs_SurfaceOfRevolution:
+      return surfaceKindName(CarrierKind::Revolution);
+    default:
+      return surfaceKindName(CarrierKind::Sheet);
+  }
+}
+
 class KernelJudge : public Judge {
  public:
   std::vector<std::int32_t> setModel(const Model& model, RunContext& run) override {
@@ -53,18 +83,45 @@ class KernelJudge : public Judge {
   std::vector<std::int32_t> findInterfering(const Model& model, RunContext& run) override {
     return step::findInterfering(model, brep_, run);
   }
+  std::optional<Assembly> assemble(const SolidOptions& options, const HalfEdgeMesh& mesh,
+                                   double deflection, RunContext& run) override {
+    const SolidOrigin& origin = *options.origin;
+    const Handle(KernelProgress) progress = new KernelProgress(run, 0.0, 0.3);
+    brep_ = {};
+    brep_.shape = assembleSweep(*origin.shape, origin.trajectory, mesh.volume,
+                                mesh.area * options.tolerance, progress->Start());
+    run.checkpoint(Phase::Export);
+    if (brep_.shape.IsNull()) return std::nullopt;
+    std::stringstream text;
+    writeStepFile(brep_.shape, text, "", options, kernel_, run);
+    const TopoDS_Shape read = readStepText(text, kernel_, run);
+    if (doesIntersectItself(read)) return std::nullopt;
+    Assembly assembly;
+    assembly.check = checkShape(read, run, 0.3, 0.5);
+    constexpr double kAngle = 0.5;  // rad; the deflection demands more
+    assembly.surface = trianglesOf(read, deflection, kAngle);
+    for (TopExp_Explorer it(read, TopAbs_FACE); it.More(); it.Next())
+      ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];
+    return assembly;
+  }
+  void writeAssembled(std::ostream& out, const std::string& name, const SolidOptions& options,
+                      RunContext& run) override {
+    writeStepFile(brep_.shape, out, name, options, kernel_, run);
+  }
   void writeBrep(std::ostream& out, RunContext& run) override {
     step::writeBrep(brep_.shape, out, run);
   }
   SolidCheck readBack(const Model& model, const std::string& file, const std::string& name,
                       const SolidOptions& options, SolidFormat format, RunContext& run) override {
+    if (model.faces.empty()) return checkShape(readAssembled(file, format, run), run, 0.8, 1.0);
     SolidCheck check = checkShape(read(model, file, format, run), run, 0.8, 1.0);
     if (!check.valid && format == SolidFormat::Step)
       check = checkShape(readStepFile(file, kernel_, run), run, 0.8, 1.0);
     if (!check.valid && format == SolidFormat::Step && !isFlat(model)) {
       // The kernel reads some curved faces wrongly if the file has no parameter curves. The
       // kernel's own writer adds them.
-      writeStepFile(brep_.shape, file, name, options, kernel_, run);
+      std::ofstream out(pathFromUtf8(file), std::ios::binary);
+      writeStepFile(brep_.shape, out, name, options, kernel_, run);
       check = checkShape(readStepFile(file, kernel_, run), run, 0.8, 1.0);
     }
     return check;
@@ -79,6 +136,9 @@ class KernelJudge : public Judge {
   }
 
  private:
+  TopoDS_Shape readAssembled(const std::string& file, SolidFormat format, RunContext& run) {
+    return format == SolidFormat::Brep ? readBrepFile(file, run) : readStepFile(file, kernel_, run);
+  }
   TopoDS_Shape read(const Model& model, const std::string& file, SolidFormat format,
                     RunContext& run) {
     if (format == SolidFormat::Brep) return readBrepFile(file, run);

@@ -14,7 +14,9 @@
 #include <StepBasic_Product.hxx>
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepBasic_ProductDefinitionFormation.hxx>
+#include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -124,9 +126,8 @@ ProductNames productNames(const STEPControl_Reader& reader) {
 
 }  // namespace
 
-void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
-                   const std::string& targetName, const SolidOptions& options,
-                   KernelSession& kernel, RunContext& run) {
+void writeStepFile(const TopoDS_Shape& shape, std::ostream& out, const std::string& targetName,
+                   const SolidOptions& options, KernelSession& kernel, RunContext& run) {
   kernel.set("write.step.schema", options.schema == StepSchema::Ap214 ? "AP214IS" : "AP242DIS");
   kernel.set("write.step.unit", "MM");
   kernel.set("xstep.cascade.unit", "MM");
@@ -147,11 +148,11 @@ void writeStepFile(const TopoDS_Shape& shape, const std::string& path,
          &kernel);
   }
   fillHeader(writer, targetName, options);
+  StepData_StepWriter text(writer.Model());
+  text.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
   errno = 0;
-  const IFSelect_ReturnStatus written = writer.Write(path.c_str());
-  if (written != IFSelect_RetDone) {
+  if (!text.Print(out) || !out.flush())
     fail("WriteFailed", "the STEP file could not be written" + systemReason(errno), &kernel);
-  }
   throwIfCancelled(run);
 }
 

@@ -14,7 +14,8 @@
 #include <map>
 
 #include "base/safe_file.h"
-#include "solid/kernel/body_shape_reader.h"
+#include "solid/assemble/body_shape.h"
+#include "solid/assemble/shape_triangles.h"
 #include "solid/kernel/shape_check.h"
 #include "solid/kernel/solid_file.h"
 #include "solid/text/step_scan.h"
@@ -22,28 +23,6 @@
 
 namespace swept {
 namespace {
-
-void appendFace(const TopoDS_Face& face, std::int32_t number, TriMesh& mesh) {
-  TopLoc_Location location;
-  const Handle(Poly_Triangulation) part = BRep_Tool::Triangulation(face, location);
-  if (part.IsNull()) return;
-  const gp_Trsf& transform = location.Transformation();
-  const auto first = static_cast<std::int32_t>(mesh.vertices.size());
-  for (int i = 1; i <= part->NbNodes(); ++i) {
-    const gp_Pnt p = part->Node(i).Transformed(transform);
-    mesh.vertices.emplace_back(p.X(), p.Y(), p.Z());
-  }
-  const bool turned = face.Orientation() == TopAbs_REVERSED;
-  for (int i = 1; i <= part->NbTriangles(); ++i) {
-    int a = 0;
-    int b = 0;
-    int c = 0;
-    part->Triangle(i).Get(a, b, c);
-    if (turned) std::swap(b, c);
-    mesh.triangles.push_back({first + a - 1, first + b - 1, first + c - 1});
-    mesh.faceOf.push_back(number);
-  }
-}
 
 void checkStructure(const std::filesystem::path& file, const std::string& path) {
   std::ifstream text(file, std::ios::binary);
@@ -65,14 +44,6 @@ bool isBrep(const std::filesystem::path& file) {
   std::ifstream(file, std::ios::binary)
       .read(head.data(), static_cast<std::streamsize>(head.size()));
   return head.find("ISO-10303-21") == std::string::npos;
-}
-
-// `faces`: the faces of the whole file, whose order gives the face numbers.
-TriMesh meshOf(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& faces) {
-  TriMesh mesh;
-  for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next())
-    appendFace(TopoDS::Face(f.Current()), faces.FindIndex(f.Current()) - 1, mesh);
-  return mesh;
 }
 
 TopoDS_Shape readShape(const std::string& path, step::KernelSession& kernel, RunContext& run,
@@ -138,17 +109,16 @@ std::vector<ImportedSolid> readSolids(const std::string& path, double linearDefl
     TopExp::MapShapes(shape, TopAbs_FACE, faces);
     std::vector<ImportedSolid> solids;
     for (TopExp_Explorer s(shape, TopAbs_SOLID); s.More(); s.Next()) {
-      TriMesh mesh = meshOf(s.Current(), faces);
+      TriMesh mesh = step::meshOf(s.Current(), faces);
       if (!mesh.triangles.empty())
         solids.push_back({names[s.Current().TShape().get()], std::move(mesh)});
     }
-    if (solids.empty()) solids.push_back({"", meshOf(shape, faces)});
+    if (solids.empty()) solids.push_back({"", step::meshOf(shape, faces)});
     if (solids[0].mesh.triangles.empty())
       throw Error(
           Status::InvalidInput, "NoSurface",
           "'" + path + "' contains no face that can be turned into triangles; export a solid");
-    if (bodyShape != nullptr)
-      *bodyShape = std::make_shared<const BodyShape>(step::shapeOf(shape, faces));
+    if (bodyShape != nullptr) *bodyShape = std::make_shared<const BodyShape>(BodyShape{shape});
     nameSolids(solids, utf8FromPath(pathFromUtf8(path).stem()));
     return solids;
   });

@@ -10,7 +10,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -21,6 +23,13 @@
 #include "swept/solid.h"
 
 namespace swept::step {
+
+/// A solid that the kernel made from the faces and edges of the moving body.
+struct Assembly {
+  std::map<std::string, std::int64_t> facesByKind;
+  SolidCheck check;  ///< of the STEP file, read back
+  TriMesh surface;   ///< triangles of its faces
+};
 
 class Judge {
  public:
@@ -40,10 +49,20 @@ class Judge {
   /// Returns faces that intersect or touch where they share no vertex or edge.
   virtual std::vector<std::int32_t> findInterfering(const Model& model, RunContext& run) = 0;
 
-  /// Writes the model of the last setModel() as a BREP file.
+  /// Makes the solid from SolidOptions::origin alone. Returns nothing if the judge has no kernel or
+  /// if there is no such solid with about the volume (mm^3) of the mesh. `deflection`: mm, how far
+  /// Assembly::surface may lie from the faces.
+  virtual std::optional<Assembly> assemble(const SolidOptions& options, const HalfEdgeMesh& mesh,
+                                           double deflection, RunContext& run);
+  /// Writes the solid of the last assemble() as a STEP file.
+  virtual void writeAssembled(std::ostream& out, const std::string& name,
+                              const SolidOptions& options, RunContext& run);
+
+  /// Writes the model of the last setModel(), or the solid of the last assemble(), as a BREP file.
   virtual void writeBrep(std::ostream& out, RunContext& run) = 0;
   /// Reads a finished file back and checks it. If the file cannot be read correctly, may replace it
-  /// by one from the kernel's own writer. `name`: final name of the file, for its header.
+  /// by one from the kernel's own writer. `name`: final name of the file, for its header. `model`
+  /// has no faces if the file contains the solid of assemble().
   virtual SolidCheck readBack(const Model& model, const std::string& file, const std::string& name,
                               const SolidOptions& options, SolidFormat format, RunContext& run) = 0;
   /// Calls work(), and converts failures of the kernel to an Error.

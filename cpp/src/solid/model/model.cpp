@@ -7,7 +7,6 @@
 
 #include "base/number_text.h"
 #include "base/union_find.h"
-#include "solid/carrier/places.h"
 #include "solid/carrier/section.h"
 #include "solid/model/chains.h"
 #include "solid/model/facet_edges.h"
@@ -78,8 +77,7 @@ class Builder {
       // line of intersection.
       const double limit = isFacetCorner_[v] ? kCornerFraction * tolerance_
                                              : std::max(10 * tolerance_, 4 * reach[v]);
-      const auto traced = knownPoint(mesh_.points[v], at[v], limit);
-      const Vector3d moved = traced ? *traced : meetingPoint(mesh_.points[v], at[v]);
+      const Vector3d moved = meetingPoint(mesh_.points[v], at[v]);
       if ((moved - mesh_.points[v]).norm() <= limit) position_[v] = moved;
     }
   }
@@ -156,7 +154,6 @@ class Builder {
     }
     const double maxDeviation = 3 * tolerance_ + 2 * reach;
     const Carrier &a = *chain.surfaces[0], &b = *chain.surfaces[1];
-    if (const auto traced = knownCurve(along, a, b, kOnCarrier, 2 * maxDeviation)) return traced;
     const auto curve = sectionCurve(along, chain.closed, a, b, maxDeviation);
     return curve && isNear(*curve, along, chain, maxDeviation) ? curve : std::nullopt;
   }

@@ -1,0 +1,34 @@
+// Makes the solid of a sweep from the faces and edges of the moving body. The mesh of the envelope
+// is not needed.
+// In:      the body, the trajectory (straight moves, and turns about a fixed axis).
+// Out:     a kernel solid, or a compound of solids, whose faces are parts of the body's faces and
+//          of the surfaces that its edges and contact curves sweep. Nothing, if these do not form a
+//          closed surface.
+// Units:   mm.
+// Cost:    seconds: 2 s for a part of 80 faces, 12 s for one of 240.
+// Method:  1. swept_faces.h makes all faces of which the envelope may consist. Those without a
+//             point on the surface of the swept volume are put aside.
+//          2. The kernel cuts all faces where they intersect (its "general fuse").
+//          3. The pieces enclose cells. Sample points on both sides of the pieces tell which cells
+//             lie inside the swept volume (swept_interior.h). The envelope bounds these cells.
+//          4. Where the pieces do not enclose everything, those are taken that have the swept
+//             volume on one side only. Their edges must have two of them each. Where they do not,
+//             faces that were put aside are used after all.
+//          5. Connected pieces form shells; adjacent pieces of one surface are joined.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Message_ProgressRange.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include "solid/assemble/body_shape.h"
+#include "swept/types.h"
+
+namespace swept::step {
+
+/// `volume` (mm^3) of the envelope, known with this `accuracy` (mm^3). Returns a null shape if
+/// there is no solid with this volume. May throw Standard_Failure.
+TopoDS_Shape assembleSweep(const BodyShape& body, const Trajectory& trajectory, double volume,
+                           double accuracy, const Message_ProgressRange& progress);
+
+}  // namespace swept::step

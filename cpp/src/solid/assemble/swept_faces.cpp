@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/swept_faces.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRep_Tool.hxx>
+#include <Message_ProgressScope.hxx>
+#include <Precision.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <cmath>
+#include <gp_Ax1.hxx>
+#include <gp_Trsf.hxx>
+#include <memory>
+
+#include "motion/pivot.h"
+#include "motion/step_path.h"
+#include "solid/assemble/contact_edges.h"
+
+namespace swept::step {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Shorter moves (mm) and smaller turns (rad) are no motion.
+constexpr double kNoMove = 1e-9, kNoTurn = 1e-10;
+
+gp_Vec vectorOf(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+gp_Pnt pointOf(const Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+
+gp_Trsf transformOf(const Placement& placement) {
+  const Eigen::Matrix3d& r = placement.rotation;
+  const Vector3d& t = placement.translation;
+  gp_Trsf transform;
+  transform.SetValues(r(0, 0), r(0, 1), r(0, 2), t[0], r(1, 0), r(1, 1), r(1, 2), t[1], r(2, 0),
+                      r(2, 1), r(2, 2), t[2]);
+  return transform;
+}
+
+// One motion step: a straight move, or a turn about a fixed axis.
+struct Move {
+  gp_Vec shift;  // if angle is 0
+  gp_Ax1 axis;
+  double angle = 0;
+
+  bool isRest() const { return angle == 0 && shift.Magnitude() <= kNoMove; }
+  gp_Vec velocityAt(const gp_Pnt& p) const {
+    return angle == 0 ? shift
+                      : gp_Vec(axis.Direction()).Crossed(gp_Vec(axis.Location(), p)) * angle;
+  }
+  // Returns whether the edge slides along itself.
+  bool slides(const TopoDS_Edge& edge) const {
+    const BRepAdaptor_Curve curve(edge);
+    constexpr int kSteps = 8;
+    for (int i = 0; i <= kSteps; ++i) {
+      gp_Pnt p;
+      gp_Vec along;
+      curve.D1(
+          curve.FirstParameter() + (curve.LastParameter() - curve.FirstParameter()) * i / kSteps, p,
+          along);
+      const gp_Vec v = velocityAt(p);
+      if (along.Crossed(v).Magnitude() > 1e-7 * along.Magnitude() * v.Magnitude()) return false;
+    }
+    return true;
+  }
+};
+
+std::optional<Move> moveOf(const Pose& from, const Pose& to, Interpolation interpolation) {
+  const StepPath path(from, to, interpolation);
+  Move move;
+  if (path.angle() <= kNoTurn) {
+    move.shift = vectorOf(to.translation - from.translation);
+    return move;
+  }
+  if (std::abs(path.isScrew() ? path.pitch() : path.drift()) > kNoMove) return std::nullopt;
+  const Vector3d point = path.isScrew() ? path.axisPoint() : from.translation;
+  move.axis = gp_Ax1(pointOf(point), gp_Dir(vectorOf(path.axis())));
+  move.angle = path.angle();
+  return move;
+}
+
+// What the faces and edges of a shape sweep, with shared edges.
+class Sweeper {
+ public:
+  Sweeper(const TopoDS_Shape& shape, const Move& move) {
+    if (move.angle == 0) {
+      prism_ = std::make_unique<BRepPrimAPI_MakePrism>(shape, move.shift);
+    } else {
+      turn_ = std::make_unique<BRepPrimAPI_MakeRevol>(shape, move.axis, move.angle);
+    }
+  }
+  TopoDS_Face atEnd(const TopoDS_Shape& face) {
+    const TopoDS_Shape moved = prism_ ? prism_->LastShape(face) : turn_->LastShape(face);
+    return TopoDS::Face(moved.Oriented(face.Orientation()));
+  }
+  const TopTools_ListOfShape& sweptBy(const TopoDS_Shape& edge) {
+    return prism_ ? prism_->Generated(edge) : turn_->Generated(edge);
+  }
+
+ private:
+  std::unique_ptr<BRepPrimAPI_MakePrism> prism_;
+  std::unique_ptr<BRepPrimAPI_MakeRevol> turn_;
+};
+
+// Appends the faces of one step. The body is at the pose at which the step starts.
+bool appendStep(const TopoDS_Shape& body, const Move& move, int pose, bool isFirst,
+                std::vector<SweptFace>& to, const Message_ProgressRange& progress) {
+  const Velocity velocity = [&](const gp_Pnt& p) { return move.velocityAt(p); };
+  const TopoDS_Compound parts = cutAtContact(body, velocity, progress);
+  if (parts.IsNull()) return false;
+  Sweeper sweeper(parts, move);
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(parts, TopAbs_FACE, faces);
+  std::vector<int> sides(faces.Extent() + 1);
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    const TopoDS_Face& face = TopoDS::Face(faces(i));
+    sides[i] = sideOf(face, velocity);
+    if (isFirst && sides[i] <= 0) to.push_back({face, pose});
+    if (sides[i] >= 0) to.push_back({sweeper.atEnd(face), pose + 1});
+  }
+  TopTools_IndexedDataMapOfShapeListOfShape edges;
+  TopExp::MapShapesAndAncestors(parts, TopAbs_EDGE, TopAbs_FACE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges.FindKey(i));
+    if (BRep_Tool::Degenerated(edge) || move.slides(edge)) continue;
+    bool isOutward = false, isInward = false;
+    for (const TopoDS_Shape& face : edges(i)) {
+      const int side = sides[faces.FindIndex(face)];
+      isOutward |= side >= 0;
+      isInward |= side <= 0;
+    }
+    if (!isOutward || !isInward) continue;
+    for (const TopoDS_Shape& swept : sweeper.sweptBy(edge)) {
+      for (TopExp_Explorer it(swept, TopAbs_FACE); it.More(); it.Next())
+        to.push_back({TopoDS::Face(it.Current()), SweptFace::kAlone});
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<SweptFace> sweptFaces(const BodyShape& body, const Trajectory& trajectory,
+                                  const Message_ProgressRange& progress) {
+  if (trajectory.interpolation == Interpolation::None || trajectory.poses.size() < 2) return {};
+  const Vector3d pivot = pivotOf(trajectory);
+  const Trajectory carried = carriedByPivot(trajectory, pivot);
+  std::vector<Move> moves;
+  for (std::size_t k = 0; k + 1 < carried.poses.size(); ++k) {
+    const auto move = moveOf(carried.poses[k], carried.poses[k + 1], carried.interpolation);
+    if (!move) return {};
+    moves.push_back(*move);
+  }
+  std::vector<SweptFace> faces;
+  Message_ProgressScope scope(progress, "", static_cast<double>(moves.size()));
+  bool isFirst = true;
+  for (std::size_t k = 0; k < moves.size(); ++k) {
+    const Message_ProgressRange range = scope.Next();
+    if (moves[k].isRest()) continue;
+    const Pose& pose = trajectory.poses[k];
+    Placement placement;
+    placement.rotation = pose.rotation.normalized().toRotationMatrix();
+    placement.translation = pose.translation;
+    const TopoDS_Shape posed =
+        BRepBuilderAPI_Transform(body.shape, transformOf(placement), Standard_True).Shape();
+    if (!appendStep(posed, moves[k], static_cast<int>(k), isFirst, faces, range)) return {};
+    isFirst = false;
+  }
+  return faces;
+}
+
+}  // namespace swept::step

@@ -1,0 +1,39 @@
+// Makes the faces of which the envelope of a moving body may consist: faces of the body at poses,
+// and the surfaces that its edges and contact curves sweep.
+// In:      the body; a trajectory whose steps are straight moves without turning, or turns about a
+//          fixed axis.
+// Out:     kernel faces in world coordinates. They intersect, and parts of them lie inside the
+//          swept volume; assemble.h finds the parts on its surface.
+// Units:   mm.
+// Cost:    O(faces of the body) per motion step.
+// Method:  A step moves all points with velocities that the motion itself does not change. So the
+//          contact curves (contact_edges.h) stay the same curves of the body during the step. The
+//          envelope of a step consists of the parts of the body that move inward at its start, the
+//          parts that move outward at its end, and what the edges between the two kinds of parts
+//          sweep: planes, cylinders, extrusions, revolutions.
+// Source:  Abdel-Malek, Blackmore and Joy 2006.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Message_ProgressRange.hxx>
+#include <TopoDS_Face.hxx>
+#include <optional>
+#include <vector>
+
+#include "solid/assemble/body_shape.h"
+#include "swept/types.h"
+
+namespace swept::step {
+
+struct SweptFace {
+  static constexpr int kAlone = -1;
+  TopoDS_Face face;
+  /// Faces of one group are faces of the body at one pose. They do not intersect each other.
+  int group = kAlone;
+};
+
+/// Empty if a step of the trajectory is of another kind, or if the kernel fails.
+std::vector<SweptFace> sweptFaces(const BodyShape& body, const Trajectory& trajectory,
+                                  const Message_ProgressRange& progress);
+
+}  // namespace swept::step

@@ -1,0 +1,26 @@
+// Makes the solid of an envelope from the faces and edges of the moving body (SolidOrigin). The
+// judge assembles it; the mesh only tells whether it is right.
+// In:      the mesh of the envelope; the options with their origin.
+// Out:     a solid that the judge holds, or nothing.
+// Units:   mm.
+// Cost:    see assemble/assemble.h.
+// Throws Error(Cancelled).
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "solid/shape_maker.h"
+
+namespace swept::step {
+
+/// Returns nothing if no such solid can be made, if it differs from the mesh by more than the
+/// tolerance, or if it has too many faces. The deviation is measured at the crossings. Along
+/// creases, these are more accurate than the vertices of the mesh.
+std::optional<Built> makeFromBody(const HalfEdgeMesh& mesh, const SolidOptions& options,
+                                  const std::function<bool(std::int64_t)>& fits, Judge& judge,
+                                  RunContext& run);
+
+}  // namespace swept::step

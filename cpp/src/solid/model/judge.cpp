@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/model/judge.h"
+
+namespace swept::step {
+
+std::optional<Assembly> Judge::assemble(const SolidOptions& /*options*/,
+                                        const HalfEdgeMesh& /*mesh*/, double /*deflection*/,
+                                        RunContext& /*run*/) {
+  return std::nullopt;
+}
+
+void Judge::writeAssembled(std::ostream& /*out*/, const std::string& /*name*/,
+                           const SolidOptions& /*options*/, RunContext& /*run*/) {}
+
+}  // namespace swept::step
