@@ -8,15 +8,10 @@
 #include <BRep_Builder.hxx>
 #include <ElCLib.hxx>
 #include <GC_MakeCircle.hxx>
-#include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Precision.hxx>
 #include <TColStd_Array1OfReal.hxx>
-#include <TColStd_HArray1OfBoolean.hxx>
-#include <TColStd_HArray1OfReal.hxx>
-#include <TColgp_Array1OfVec.hxx>
-#include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
@@ -30,6 +25,7 @@
 #include <optional>
 
 #include "solid/assemble/face_samples.h"
+#include "solid/assemble/interpolate_curve.h"
 
 namespace swept::step {
 namespace {
@@ -39,8 +35,6 @@ namespace {
 constexpr double kSliding = 1e-6;
 /// How far contact curves extend beyond the face, as a fraction of the range of its parameters.
 constexpr double kBeyond = 0.03;
-/// mm: how far lines, circles and splines may lie off the exact curve.
-constexpr double kCurveBound = 5e-8;
 /// Shorter contact curves (mm) are left out.
 constexpr double kShortest = 1e-4;
 
@@ -304,25 +298,15 @@ class ContactTracer {
     return std::nullopt;
   }
 
-  Handle(Geom_BSplineCurve) splineThrough(const Points& points, std::vector<double>& at3) const {
-    const int n = static_cast<int>(points.size());
-    const Handle(TColgp_HArray1OfPnt) places = new TColgp_HArray1OfPnt(1, n);
-    const Handle(TColStd_HArray1OfReal) parameters = new TColStd_HArray1OfReal(1, n);
-    TColgp_Array1OfVec tangents(1, n);
-    const Handle(TColStd_HArray1OfBoolean) given =
-        new TColStd_HArray1OfBoolean(1, n, Standard_True);
-    at3.assign(1, 0);
-    for (int i = 0; i < n; ++i) {
-      if (i > 0) at3.push_back(at3.back() + at(points[i]).Distance(at(points[i - 1])));
-      places->SetValue(i + 1, at(points[i]));
-      parameters->SetValue(i + 1, at3[i]);
-      const gp_Vec2d direction(points[std::max(i - 1, 0)], points[std::min(i + 1, n - 1)]);
-      tangents(i + 1) = tangent(points[i], direction);
+  Handle(Geom_BSplineCurve)
+      splineThrough(const Points& points, std::vector<double>& lengths) const {
+    std::vector<CurvePoint> given;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const gp_Vec2d direction(points[i == 0 ? 0 : i - 1],
+                               points[std::min(i + 1, points.size() - 1)]);
+      given.push_back({at(points[i]), tangent(points[i], direction)});
     }
-    GeomAPI_Interpolate maker(places, parameters, Standard_False, Precision::Confusion());
-    maker.Load(tangents, given, Standard_False);
-    maker.Perform();
-    return maker.IsDone() ? maker.Curve() : Handle(Geom_BSplineCurve)();
+    return interpolated(given, lengths);
   }
 
   // Interpolates the points by cubics, and adds points until the error is small enough.

@@ -27,6 +27,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// Number of faces of the body times number of moves. With more, the kernel would take minutes.
+constexpr std::size_t kMaxFaces = 2000;
 /// Shorter moves (mm) and smaller turns (rad) are no motion.
 constexpr double kNoMove = 1e-9, kNoTurn = 1e-10;
 
@@ -150,6 +152,9 @@ std::vector<SweptFace> sweptFaces(const BodyShape& body, const Trajectory& traje
   if (trajectory.interpolation == Interpolation::None || trajectory.poses.size() < 2) return {};
   const Vector3d pivot = pivotOf(trajectory);
   const Trajectory carried = carriedByPivot(trajectory, pivot);
+  TopTools_IndexedMapOfShape bodyFaces;
+  TopExp::MapShapes(body.shape, TopAbs_FACE, bodyFaces);
+  if ((carried.poses.size() - 1) * bodyFaces.Extent() > kMaxFaces) return {};
   std::vector<Move> moves;
   for (std::size_t k = 0; k + 1 < carried.poses.size(); ++k) {
     const auto move = moveOf(carried.poses[k], carried.poses[k + 1], carried.interpolation);

@@ -32,7 +32,8 @@ struct SweptFace {
   int group = kAlone;
 };
 
-/// Empty if a step of the trajectory is of another kind, or if the kernel fails.
+/// Empty if a step of the trajectory is of another kind, if there are too many steps and faces of
+/// the body (2,000 of one times the other), or if the kernel fails.
 std::vector<SweptFace> sweptFaces(const BodyShape& body, const Trajectory& trajectory,
                                   const Message_ProgressRange& progress);
 

@@ -14,7 +14,6 @@
 
 namespace swept::step {
 
-
 enum class CarrierKind {
   Facet,
   Plane,

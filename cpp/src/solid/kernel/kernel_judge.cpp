@@ -12,6 +12,7 @@
 #include "base/safe_file.h"
 #include "solid/assemble/assemble.h"
 #include "solid/assemble/body_shape.h"
+#include "solid/assemble/exact_sections.h"
 #include "solid/assemble/shape_triangles.h"
 #include "solid/kernel/brep.h"
 #include "solid/kernel/interference.h"
@@ -92,6 +93,7 @@ class KernelJudge : public Judge {
                                 mesh.area * options.tolerance, progress->Start());
     run.checkpoint(Phase::Export);
     if (brep_.shape.IsNull()) return std::nullopt;
+    makeSectionsExact(brep_.shape);
     std::stringstream text;
     writeStepFile(brep_.shape, text, "", options, kernel_, run);
     const TopoDS_Shape read = readStepText(text, kernel_, run);

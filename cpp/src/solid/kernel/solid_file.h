@@ -14,8 +14,8 @@
 
 namespace swept::step {
 
-/// Writes the text of a STEP file with the kernel's own translator, which adds the parameter curves of curved
-/// faces. text/step_text.h writes files without them.
+/// Writes the text of a STEP file with the kernel's own translator, which adds the parameter curves
+/// of curved faces. text/step_text.h writes files without them.
 void writeStepFile(const TopoDS_Shape& shape, std::ostream& out, const std::string& targetName,
                    const SolidOptions& options, KernelSession& kernel, RunContext& run);
 /// Maps a solid to the name of its product (the innermost one in an assembly). The key is the shape
