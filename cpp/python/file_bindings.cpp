@@ -110,7 +110,7 @@ py::tuple pyPosesFromMatrices(const py::object& times, const py::object& matrice
   return trajectoryToArrays(trajectoryFromObject(py::make_tuple(times, matrices), "none"));
 }
 
-/// Converts the argument `origin`: (sources, motion, interpolation, shape, chord_error).
+/// Converts the argument `origin`: (sources, motion, interpolation, shape).
 std::shared_ptr<const SolidOrigin> originFromObject(const py::object& given) {
   if (given.is_none()) return nullptr;
   const auto parts = py::cast<py::tuple>(given);
@@ -118,7 +118,6 @@ std::shared_ptr<const SolidOrigin> originFromObject(const py::object& given) {
   origin.sources = *py::cast<std::shared_ptr<Sources>>(parts[0]);
   origin.trajectory = trajectoryFromObject(parts[1], py::cast<std::string>(parts[2]));
   origin.shape = py::cast<Shape>(parts[3]).data;
-  origin.chordError = py::cast<double>(parts[4]);
   return std::make_shared<const SolidOrigin>(std::move(origin));
 }
 

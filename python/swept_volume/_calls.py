@@ -338,9 +338,10 @@ def write_solid(
     has no OpenCASCADE and needs it. help(_swept.write_solid) says what it must return.
 
     origin: (result, body, motion) of the mesh. With a tolerance, the solid then gets the exact faces
-    that the body sweeps on straight steps. result: computed with sources=True; body: from
-    read_body() of a STEP or BREP file; motion: the motion of the result, with all its poses. Raises
-    ExportFailed (BadOption) if the three do not belong together."""
+    that the body sweeps, if it moves in straight lines or turns about fixed axes. result: computed
+    with sources=True; body: from read_body() of a STEP or BREP file; motion: the motion of the
+    result, with all its poses. Raises ExportFailed (BadOption) if the three do not belong
+    together."""
     body = mesh_of(mesh)
     report = _core.write_solid(
         path,
@@ -375,7 +376,7 @@ def _origin_of(result: Result, body: Mesh, motion: MotionLike) -> Tuple[Any, ...
         raise bad_option("the body has no faces: read it with read_body() from a STEP or BREP file")
     trajectory = motion_of(motion)
     poses = trajectory.times, trajectory.quaternions, trajectory.translations
-    return sources, poses, trajectory.interpolation, body.shape, body.chord_error
+    return sources, poses, trajectory.interpolation, body.shape
 
 
 def estimate_solid(

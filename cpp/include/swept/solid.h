@@ -29,14 +29,13 @@ StepSchema parseStepSchema(const std::string& text);
 
 struct BodyShape;  // the faces and edges of a body, as readSolids() found them
 
-/// What an envelope was made from. With these data, the solid gets the exact faces of the sweep:
-/// faces of the body at poses, and surfaces that edges and faces of the body sweep on straight
-/// motion steps.
+/// What an envelope was made from. If the body moves along straight lines or turns about fixed
+/// axes, the solid gets the exact faces of the sweep: faces of the body at poses, and surfaces that
+/// its edges and contact curves sweep.
 struct SolidOrigin {
   Sources sources;  ///< of the triangles of the mesh, in their order
   Trajectory trajectory;
   std::shared_ptr<const BodyShape> shape;
-  double chordError = 0;  ///< mm: how far the triangles of the body may deviate from its faces
 };
 
 struct SolidOptions {

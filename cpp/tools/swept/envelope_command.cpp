@@ -227,8 +227,8 @@ SolidResult writeOutput(const Result& result, const Body& body, const Trajectory
     if (isSolidSuffix(suffixOfOutput(job))) {
       SolidOptions options = job.solid;
       if (wantsBodyFaces(job, body)) {
-        options.origin = std::make_shared<const SolidOrigin>(
-            SolidOrigin{result.sources, motion, body.shape, body.chordError});
+        options.origin =
+            std::make_shared<const SolidOrigin>(SolidOrigin{result.sources, motion, body.shape});
       }
       solid = writeSolid(result.mesh, path, options, run);
       return;

@@ -60,8 +60,8 @@ class BodySolid : public testing::Test {
     for (const Vector3d& p : result_.mesh.vertices) box.extend(p);
     SolidOptions options;
     options.tolerance = 1e-3 * box.diagonal().norm();
-    options.origin = std::make_shared<const SolidOrigin>(
-        SolidOrigin{result_.sources, motion_, body_.shape, body_.chordError});
+    options.origin =
+        std::make_shared<const SolidOrigin>(SolidOrigin{result_.sources, motion_, body_.shape});
     return options;
   }
 
