@@ -31,9 +31,9 @@ constexpr double kMinSine = 0.02;
 constexpr double kMaxMove = 1e-3;
 
 // A face along one of its edges.
-class Side {
+class FaceAtEdge {
  public:
-  Side(const TopoDS_Edge& edge, const TopoDS_Face& face)
+  FaceAtEdge(const TopoDS_Edge& edge, const TopoDS_Face& face)
       : surface_(BRep_Tool::Surface(face)), foot_(new ShapeAnalysis_Surface(surface_)) {
     double from, to;
     curve_ = BRep_Tool::CurveOnSurface(edge, face, from, to);
@@ -76,7 +76,7 @@ struct ExactSection {
 class Section {
  public:
   Section(const TopoDS_Edge& edge, const TopoDS_Face& a, const TopoDS_Face& b)
-      : curve_(edge), sides_{Side(edge, a), Side(edge, b)} {}
+      : curve_(edge), sides_{FaceAtEdge(edge, a), FaceAtEdge(edge, b)} {}
 
   /// Returns nothing if the edge is a line or circle, or if the faces do not cross.
   std::optional<ExactSection> exact() {
@@ -135,7 +135,7 @@ class Section {
     gp_Pnt unused;
     gp_Vec along;
     curve_.D1(t, unused, along);
-    for (Side& side : sides_) side.start(t);
+    for (FaceAtEdge& side : sides_) side.start(t);
     for (int round = 0; round < 8; ++round) {
       gp_Vec n, m;
       const double toA = sides_[0].distance(p, n), toB = sides_[1].distance(p, m);
@@ -155,7 +155,7 @@ class Section {
   }
 
   const BRepAdaptor_Curve curve_;
-  std::array<Side, 2> sides_;
+  std::array<FaceAtEdge, 2> sides_;
 };
 
 }  // namespace
