@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/body_solid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>

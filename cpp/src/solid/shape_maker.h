@@ -28,6 +28,12 @@ struct Built {
   Model model;
   std::map<std::string, std::int64_t> facesByKind;
   double deviation = 0;  // mm, of the mesh's vertices from the faces of the solid
+
+  std::int64_t faceCount() const {
+    std::int64_t count = 0;
+    for (const auto& [kind, faces] : facesByKind) count += faces;
+    return count;
+  }
 };
 
 /// Returns the model, or nothing. The judge was given this model last (Judge::setModel()). `faces`

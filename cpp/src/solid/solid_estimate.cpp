@@ -88,11 +88,18 @@ SolidEstimate guess(const TriMesh& input, const SolidOptions& options, SolidForm
 }
 
 // Returns the seconds that the kernel needs to read the file back and check it.
-double secondsToReadBack(const Model& model, SolidFormat format) {
+double secondsToReadBack(const Built& built, SolidFormat format) {
   const bool brep = format == SolidFormat::Brep;
   const double face = brep ? kBrepFace : kStepFace, edge = brep ? kBrepCurvedEdge : kStepCurvedEdge;
   double seconds = 0;
-  for (const ModelFace& modelFace : model.faces) {
+  if (built.model.faces.empty()) {
+    constexpr double kEdgesPerFace = 5;  // a swept pulley: 504 edges, each of two of its 194 faces
+    for (const auto& [kind, count] : built.facesByKind)
+      seconds += static_cast<double>(count) *
+                 (kind == surfaceKindName(CarrierKind::Plane) ? face : kEdgesPerFace * edge);
+    return seconds;
+  }
+  for (const ModelFace& modelFace : built.model.faces) {
     if (modelFace.surface.isPlanar()) {
       seconds += face;
       continue;
@@ -116,12 +123,12 @@ SolidEstimate tryOut(const TriMesh& input, SolidOptions& options, SolidFormat fo
     writeBuilt(built, *judge, out, "", options, format, run);
     estimate.tried = true;
     estimate.triangles = static_cast<std::int64_t>(mesh.triangles.size());
-    estimate.faces = static_cast<std::int64_t>(built.model.faces.size());
+    estimate.faces = built.faceCount();
     estimate.megabytes = 1e-6 * static_cast<double>(buffer.count());
     estimate.tolerance = options.tolerance;
     estimate.deviation = built.deviation;
     estimate.trialSeconds = watch.seconds();
-    estimate.seconds = estimate.trialSeconds + secondsToReadBack(built.model, format);
+    estimate.seconds = estimate.trialSeconds + secondsToReadBack(built, format);
   });
   return estimate;
 }

@@ -167,6 +167,17 @@ TEST_F(BodySolid, ATurnGivesNoWorseSolidThanBefore) {
   EXPECT_NEAR(report.volume, report.meshVolume, 1e-2 * report.meshVolume);
 }
 
+TEST_F(BodySolid, AnEstimateHasItsFacesAndSize) {
+  readBodyOf(boxMesh(12, 8, 5));
+  sweep({{0, 0, 0}, {7, 4, 9}}, none_);
+  const SolidOptions options = optionsWithOrigin();
+  const SolidEstimate estimate = trySolid(result_.mesh, options, SolidFormat::Step, run_);
+  const WrittenSolid report = write(options);
+  EXPECT_EQ(estimate.faces, report.faces);
+  EXPECT_NEAR(1e6 * estimate.megabytes, static_cast<double>(report.fileBytes), 100);
+  EXPECT_GT(estimate.seconds, estimate.trialSeconds);
+}
+
 TEST_F(BodySolid, RefusesSourcesOfAnotherMesh) {
   readBodyOf(boxMesh(12, 8, 5));
   sweep({{0, 0, 0}, {7, 4, 9}}, none_);

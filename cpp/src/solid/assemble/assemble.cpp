@@ -31,8 +31,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
-#include <optional>
 
 #include "base/parallel.h"
 #include "solid/assemble/face_samples.h"

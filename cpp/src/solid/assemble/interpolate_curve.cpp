@@ -10,45 +10,45 @@
 #include <TColgp_Array1OfVec2d.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TColgp_HArray1OfPnt2d.hxx>
+#include <type_traits>
 
 namespace swept::step {
+namespace {
 
-Handle(Geom_BSplineCurve)
-    interpolated(const std::vector<CurvePoint>& points, std::vector<double>& lengths) {
+// Returns the spline through the points, or null. `nearest`: smallest distance of two points.
+template <class Maker, class Places, class Tangents, class Points>
+auto throughPoints(const Points& points, const std::vector<double>& lengths, double nearest) {
   const int n = static_cast<int>(points.size());
-  const Handle(TColgp_HArray1OfPnt) places = new TColgp_HArray1OfPnt(1, n);
+  const Handle(Places) places = new Places(1, n);
   const Handle(TColStd_HArray1OfReal) parameters = new TColStd_HArray1OfReal(1, n);
-  TColgp_Array1OfVec tangents(1, n);
+  Tangents tangents(1, n);
   const Handle(TColStd_HArray1OfBoolean) given = new TColStd_HArray1OfBoolean(1, n, Standard_True);
-  lengths.assign(1, 0);
   for (int i = 0; i < n; ++i) {
-    if (i > 0) lengths.push_back(lengths.back() + points[i].at.Distance(points[i - 1].at));
     places->SetValue(i + 1, points[i].at);
     parameters->SetValue(i + 1, lengths[i]);
     tangents(i + 1) = points[i].tangent;
   }
-  GeomAPI_Interpolate maker(places, parameters, Standard_False, Precision::Confusion());
+  Maker maker(places, parameters, Standard_False, nearest);
   maker.Load(tangents, given, Standard_False);
   maker.Perform();
-  return maker.IsDone() ? maker.Curve() : Handle(Geom_BSplineCurve)();
+  return maker.IsDone() ? maker.Curve() : std::decay_t<decltype(maker.Curve())>();
+}
+
+}  // namespace
+
+Handle(Geom_BSplineCurve)
+    interpolated(const std::vector<CurvePoint>& points, std::vector<double>& lengths) {
+  lengths.assign(1, 0);
+  for (std::size_t i = 1; i < points.size(); ++i)
+    lengths.push_back(lengths.back() + points[i].at.Distance(points[i - 1].at));
+  return throughPoints<GeomAPI_Interpolate, TColgp_HArray1OfPnt, TColgp_Array1OfVec>(
+      points, lengths, Precision::Confusion());
 }
 
 Handle(Geom2d_BSplineCurve)
     interpolated(const std::vector<CurvePoint2d>& points, const std::vector<double>& lengths) {
-  const int n = static_cast<int>(points.size());
-  const Handle(TColgp_HArray1OfPnt2d) places = new TColgp_HArray1OfPnt2d(1, n);
-  const Handle(TColStd_HArray1OfReal) parameters = new TColStd_HArray1OfReal(1, n);
-  TColgp_Array1OfVec2d slopes(1, n);
-  const Handle(TColStd_HArray1OfBoolean) given = new TColStd_HArray1OfBoolean(1, n, Standard_True);
-  for (int i = 0; i < n; ++i) {
-    places->SetValue(i + 1, points[i].at);
-    parameters->SetValue(i + 1, lengths[i]);
-    slopes(i + 1) = points[i].slope;
-  }
-  Geom2dAPI_Interpolate maker(places, parameters, Standard_False, Precision::PConfusion());
-  maker.Load(slopes, given, Standard_False);
-  maker.Perform();
-  return maker.IsDone() ? maker.Curve() : Handle(Geom2d_BSplineCurve)();
+  return throughPoints<Geom2dAPI_Interpolate, TColgp_HArray1OfPnt2d, TColgp_Array1OfVec2d>(
+      points, lengths, Precision::PConfusion());
 }
 
 }  // namespace swept::step

@@ -21,10 +21,10 @@ struct CurvePoint {
   gp_Vec tangent;
 };
 
-/// The same in the parameters of a surface. `slope`: change of the parameters along the curve.
+/// The same in the parameters of a surface. `tangent`: change of the parameters along the curve.
 struct CurvePoint2d {
   gp_Pnt2d at;
-  gp_Vec2d slope;
+  gp_Vec2d tangent;
 };
 
 /// Returns a spline of cubics through the points. Its parameters at the points are `lengths`: the

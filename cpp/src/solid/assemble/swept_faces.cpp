@@ -17,6 +17,7 @@
 #include <gp_Ax1.hxx>
 #include <gp_Trsf.hxx>
 #include <memory>
+#include <optional>
 
 #include "motion/pivot.h"
 #include "motion/step_path.h"

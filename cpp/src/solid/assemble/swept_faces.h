@@ -17,7 +17,6 @@
 
 #include <Message_ProgressRange.hxx>
 #include <TopoDS_Face.hxx>
-#include <optional>
 #include <vector>
 
 #include "solid/assemble/body_shape.h"

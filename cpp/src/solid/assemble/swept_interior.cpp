@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/sort_unique.h"
 #include "motion/pivot.h"
 
 namespace swept::step {
@@ -96,8 +97,7 @@ bool SweptInterior::isInsideBody(const Vector3d& point) const {
     });
     return true;
   });
-  std::sort(crossed.begin(), crossed.end());
-  crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
+  sortUnique(crossed);
   return crossed.size() % 2 == 1;
 }
 

@@ -49,8 +49,8 @@ struct Carrier {
   /// along xdir and axis x xdir. The profile of a revolution lies in the half plane of xdir. Its
   /// coordinates are the distance from the axis and the position along the axis.
   std::shared_ptr<const Profile> profile;
-  /// The surface of a carrier of kind Sheet; null for other kinds. With it, only the fields `kind`,
-  /// `reversed` and `traces` above are used.
+  /// The surface of a carrier of kind Sheet; null for other kinds. With it, only the fields `kind`
+  /// and `reversed` above are used.
   std::shared_ptr<const Sheet> sheet;
 
   bool isPlanar() const { return kind == CarrierKind::Facet || kind == CarrierKind::Plane; }
