@@ -21,7 +21,7 @@
 
 #include "motion/pivot.h"
 #include "motion/step_path.h"
-#include "solid/assemble/contact_edges.h"
+#include "solid/assemble/cut_body.h"
 
 namespace swept::step {
 namespace {

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/pieces.h"
+
+#include <BOPAlgo_MakerVolume.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS_Compound.hxx>
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "solid/assemble/shape_triangles.h"
+
+namespace swept::step {
+namespace {
+
+/// Fractions of the size of the body: how far its triangles may lie from its faces, and how far
+/// sample points lie from the face that they judge.
+constexpr double kDeflection = 1.0 / 80000, kSampleDistance = 1.0 / 30000;
+constexpr double kAngle = 0.1;  // rad, between adjacent triangles of the body
+
+double sizeOf(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, Standard_False);
+  return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
+}
+
+}  // namespace
+
+Sides::Sides(const TopoDS_Shape& body, const Trajectory& trajectory)
+    : size_(sizeOf(body)),
+      interior_(trianglesOf(BRepBuilderAPI_Copy(body, Standard_False), kDeflection * size_, kAngle),
+                trajectory, kDeflection * size_) {}
+
+double Sides::distance() const { return kSampleDistance * size_; }
+
+void Sides::vote(const FaceSample& sample, Votes& votes) const {
+  const gp_Vec off = gp_Vec(sample.normal) * distance();
+  const bool before = contains(sample.point.Translated(off));
+  const bool behind = contains(sample.point.Translated(-off));
+  ++(before ? (behind ? votes.both : votes.before) : (behind ? votes.behind : votes.none));
+}
+
+bool Sides::isOnSurface(const TopoDS_Face& face) const {
+  constexpr int kSamples = 200;
+  const std::vector<FaceSample> samples = samplesOf(face, kSamples);
+  return std::any_of(samples.begin(), samples.end(), [&](const FaceSample& sample) {
+    Votes votes;
+    vote(sample, votes);
+    return votes.behind + votes.before > 0;
+  });
+}
+
+Pieces::Pieces(const TopoDS_Shape& fused, const Sides& sides) : fused_(fused), sides_(sides) {
+  TopExp::MapShapes(fused, TopAbs_FACE, faces_);
+  TopExp::MapShapesAndAncestors(fused, TopAbs_EDGE, TopAbs_FACE, edges_);
+  votes_.resize(faces_.Extent() + 1);
+  parallelBlocks(faces_.Extent(), 1, [&](std::size_t begin, std::size_t end) {
+    constexpr int kSamples = 9;
+    for (std::size_t f = begin + 1; f <= end; ++f) {
+      for (const FaceSample& sample : samplesOf(face(static_cast<int>(f)), kSamples))
+        sides_.vote(sample, votes_[f]);
+    }
+  });
+  choose();
+}
+
+std::vector<TopoDS_Face> Pieces::aroundCells() const {
+  BOPAlgo_MakerVolume maker;
+  TopTools_ListOfShape arguments;
+  arguments.Append(fused_);
+  maker.SetArguments(arguments);
+  maker.SetIntersect(Standard_False);
+  maker.SetAvoidInternalShapes(Standard_True);
+  maker.SetRunParallel(Standard_True);
+  maker.Perform();
+  if (maker.HasErrors()) return {};
+  std::vector<std::vector<TopoDS_Shape>> uses(faces_.Extent() + 1);
+  for (TopExp_Explorer cell(maker.Shape(), TopAbs_SOLID); cell.More(); cell.Next()) {
+    if (!isInside(cell.Current())) continue;
+    for (TopExp_Explorer it(cell.Current(), TopAbs_FACE); it.More(); it.Next())
+      uses[faces_.FindIndex(it.Current())].push_back(it.Current());
+  }
+  std::vector<TopoDS_Face> result;
+  for (const auto& use : uses) {
+    if (use.size() == 1) result.push_back(TopoDS::Face(use.front()));
+  }
+  return result;
+}
+
+std::vector<TopoDS_Face> Pieces::chosen() const {
+  std::vector<TopoDS_Face> result;
+  for (int f = 1; f <= faces_.Extent(); ++f) {
+    if (!chosen_[f]) continue;
+    const bool isTurned = votes_[f].before > votes_[f].behind;
+    result.push_back(TopoDS::Face(isTurned ? faces_(f).Reversed() : faces_(f)));
+  }
+  return result;
+}
+
+TopTools_ListOfShape Pieces::looseNear(const std::vector<TopoDS_Edge>& edges) const {
+  TopTools_MapOfShape loose;
+  for (const TopoDS_Edge& edge : edges) {
+    for (const TopoDS_Shape& piece : edges_.FindFromKey(edge)) loose.Add(piece);
+  }
+  const BRep_Builder builder;
+  TopoDS_Compound others;
+  builder.MakeCompound(others);
+  TopTools_ListOfShape result;
+  for (int f = 1; f <= faces_.Extent(); ++f) {
+    if (loose.Contains(faces_(f))) {
+      result.Append(faces_(f));
+    } else {
+      builder.Add(others, faces_(f));
+    }
+  }
+  result.Append(others);
+  return result;
+}
+
+std::vector<TopoDS_Edge> Pieces::openEdges() const {
+  std::vector<TopoDS_Edge> open;
+  for (int e = 1; e <= edges_.Extent(); ++e) {
+    if (uses(e) % 2 == 1) open.push_back(TopoDS::Edge(edges_.FindKey(e)));
+  }
+  return open;
+}
+
+bool Pieces::isInside(const TopoDS_Shape& cell) const {
+  int inside = 0, count = 0;
+  for (TopExp_Explorer it(cell, TopAbs_FACE); it.More(); it.Next()) {
+    const int f = faces_.FindIndex(it.Current());
+    const Votes& votes = votes_[f];
+    const bool isBehind = it.Current().Orientation() == faces_(f).Orientation();
+    inside += votes.both + (isBehind ? votes.behind : votes.before);
+    count += votes.count();
+  }
+  return 2 * inside > count;
+}
+
+int Pieces::uses(int e, int flipped) const {
+  const TopoDS_Edge& edge = TopoDS::Edge(edges_.FindKey(e));
+  if (BRep_Tool::Degenerated(edge)) return 0;
+  int count = 0;
+  TopTools_MapOfShape seen;
+  for (const TopoDS_Shape& owner : edges_(e)) {
+    const int f = faces_.FindIndex(owner);
+    const bool isChosen = (chosen_[f] != 0) != (f == flipped);
+    if (seen.Add(owner) && isChosen) count += BRep_Tool::IsClosed(edge, face(f)) ? 2 : 1;
+  }
+  return count;
+}
+
+int Pieces::openEdgesOf(int f, bool isFlipped) const {
+  int count = 0;
+  for (TopExp_Explorer it(faces_(f), TopAbs_EDGE); it.More(); it.Next())
+    count += uses(edges_.FindIndex(it.Current()), isFlipped ? f : 0) % 2;
+  return count;
+}
+
+void Pieces::choose() {
+  constexpr int kMaxChanges = 200;
+  chosen_.assign(faces_.Extent() + 1, 0);
+  for (int f = 1; f <= faces_.Extent(); ++f) {
+    const Votes& votes = votes_[f];
+    chosen_[f] = std::max(votes.behind, votes.before) > votes.both + votes.none;
+  }
+  for (int changes = 0, before = -1; changes != before && changes < kMaxChanges;) {
+    before = changes;
+    for (int f = 1; f <= faces_.Extent(); ++f) {
+      const int open = openEdgesOf(f, false);
+      if (open == 0) continue;
+      const int left = openEdgesOf(f, true);
+      if (left >= open || (left > 0 && !isDoubtful(f))) continue;
+      chosen_[f] = !chosen_[f];
+      ++changes;
+    }
+  }
+}
+
+bool Pieces::isDoubtful(int f) const {
+  constexpr double kNarrow = 30;  // times the distance of the samples
+  const Votes& votes = votes_[f];
+  const int most = std::max({votes.behind, votes.before, votes.both + votes.none});
+  if (most < votes.count() || votes.count() < 3) return true;
+  GProp_GProps area;
+  BRepGProp::SurfaceProperties(faces_(f), area);
+  return std::sqrt(std::abs(area.Mass())) < kNarrow * sides_.distance();
+}
+
+}  // namespace swept::step
