@@ -105,10 +105,11 @@ Built buildUpright(const HalfEdgeMesh& mesh, SolidOptions& options, SolidFormat 
   HalfEdgeMesh thin;
   const HalfEdgeMesh* dense = &mesh;
   if (!given) options.tolerance = kFirst * diagonal;
+  // Once only: faces that do not form a solid do not do so with another tolerance.
+  if (options.origin != nullptr && options.recognise) {
+    if (auto built = makeFromBody(mesh, options, fits, judge, run)) return std::move(*built);
+  }
   for (;; options.tolerance *= 2) {
-    if (options.origin != nullptr && options.recognise) {
-      if (auto built = makeFromBody(mesh, options, fits, judge, run)) return std::move(*built);
-    }
     if (dense->triangles.size() > kDense) {
       // Continues with the mesh of the previous round, which was thinned with half the limit.
       thin = thinned(*dense, kThinFraction * options.tolerance, run);
