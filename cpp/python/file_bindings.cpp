@@ -65,6 +65,12 @@ py::object shapeOf(const Mesh& mesh) {
   return mesh.shape == nullptr ? py::none() : py::cast(Shape{mesh.shape});
 }
 
+Shape pyReadBodyShape(const py::object& path, const py::object& run) {
+  const RunPointer context = runFromObject(run);
+  const std::string name = pathFromObject(path);
+  return {runWithoutLock(*context, [&] { return readBodyShape(name, *context); })};
+}
+
 /// Returns (name, mesh) for each part.
 py::list pyReadParts(const py::object& path, const std::string& unit, double chordError,
                      double deflection, const py::object& run, const py::object& reader) {
@@ -110,14 +116,13 @@ py::tuple pyPosesFromMatrices(const py::object& times, const py::object& matrice
   return trajectoryToArrays(trajectoryFromObject(py::make_tuple(times, matrices), "none"));
 }
 
-/// Converts the argument `origin`: (sources, motion, interpolation, shape).
+/// Converts the argument `origin`: (motion, interpolation, shape).
 std::shared_ptr<const SolidOrigin> originFromObject(const py::object& given) {
   if (given.is_none()) return nullptr;
   const auto parts = py::cast<py::tuple>(given);
   SolidOrigin origin;
-  origin.sources = *py::cast<std::shared_ptr<Sources>>(parts[0]);
-  origin.trajectory = trajectoryFromObject(parts[1], py::cast<std::string>(parts[2]));
-  origin.shape = py::cast<Shape>(parts[3]).data;
+  origin.trajectory = trajectoryFromObject(parts[0], py::cast<std::string>(parts[1]));
+  origin.shape = py::cast<Shape>(parts[2]).data;
   return std::make_shared<const SolidOrigin>(std::move(origin));
 }
 
@@ -216,6 +221,10 @@ void bindFiles(py::module_& module) {
       .def_property_readonly("shape", &shapeOf, "BodyShape of a solid. None for a mesh file.")
       .def_readonly("findings", &Mesh::findings,
                     "Findings from reading a solid, in the form of the warnings of a report.");
+  module.def("read_body_shape", &pyReadBodyShape,
+             "Reads the faces and edges of a STEP or BREP file (mm), without triangles. Raises "
+             "InvalidInput, Cancelled.",
+             py::arg("path"), py::arg("run") = py::none());
   module.def("read_mesh", &pyReadMesh, kReadMeshDoc, py::arg("path"), py::arg("unit") = "mm");
   module.def("read_body", &pyReadBody, kReadBodyDoc, py::arg("path"), py::arg("unit") = "mm",
              py::arg("tolerance") = py::none(), py::arg("cell") = py::none(),

@@ -326,7 +326,7 @@ def write_solid(
     no_clobber: bool = False,
     reader: Optional[Callable[[bytes], Dict[str, Any]]] = None,
     run: Optional[RunContext] = None,
-    origin: Optional[Tuple[Result, Mesh, MotionLike]] = None,
+    origin: Optional[Tuple[Mesh, MotionLike]] = None,
 ) -> Dict[str, Any]:
     """Converts a closed mesh to a solid in a STEP (.step, .stp) or BREP (.brep, .brp) file. The new file
     is read back and checked before it replaces an old one. With no_clobber=True, an old file is never
@@ -337,11 +337,9 @@ def write_solid(
     reader: a function that checks the text of a STEP file in place of OpenCASCADE. A core from a wheel
     has no OpenCASCADE and needs it. help(_swept.write_solid) says what it must return.
 
-    origin: (result, body, motion) of the mesh. With a tolerance, the solid then gets the exact faces
-    that the body sweeps, if it moves in straight lines or turns about fixed axes. result: computed
-    with sources=True; body: from read_body() of a STEP or BREP file; motion: the motion of the
-    result, with all its poses. Raises ExportFailed (BadOption) if the three do not belong
-    together."""
+    origin: (body, motion), of which the mesh is the envelope. With a tolerance, the solid then gets the
+    exact faces that the body sweeps, if it moves in straight lines or turns about fixed axes. body: from
+    read_body() of a STEP or BREP file. Raises ExportFailed (BadOption) if the body has no faces."""
     body = mesh_of(mesh)
     report = _core.write_solid(
         path,
@@ -367,16 +365,12 @@ def write_solid(
     return report
 
 
-def _origin_of(result: Result, body: Mesh, motion: MotionLike) -> Tuple[Any, ...]:
+def _origin_of(body: Mesh, motion: MotionLike) -> Tuple[Any, ...]:
     """Returns the argument `origin` of write_solid() in the form that the core expects."""
-    sources = result._core.sources if result._core is not None else None
-    if sources is None:
-        raise bad_option("the result has no sources: compute it with sources=True")
     if body.shape is None:
         raise bad_option("the body has no faces: read it with read_body() from a STEP or BREP file")
     trajectory = motion_of(motion)
-    poses = trajectory.times, trajectory.quaternions, trajectory.translations
-    return sources, poses, trajectory.interpolation, body.shape
+    return trajectory._arrays(), trajectory.interpolation, body.shape
 
 
 def estimate_solid(

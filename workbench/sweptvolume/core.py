@@ -278,6 +278,13 @@ def estimate_solid(vertices, triangles, control, suffix, quick, **options):
         )
 
 
+def read_body_shape(path, control):
+    """Reads the faces and edges of a STEP or BREP file, for the argument `origin` of write_solid().
+    Raises CoreError."""
+    with errors():
+        return module().read_body_shape(path, control.context)
+
+
 def write_solid(vertices, triangles, path, control, **options):
     """Writes a closed mesh as a STEP or BREP file; the suffix gives the type. Options are those of
     the module's write_solid().

@@ -27,13 +27,12 @@ enum class StepSchema { Ap214, Ap242, Ap242Tessellated };
 /// allowed names.
 StepSchema parseStepSchema(const std::string& text);
 
-struct BodyShape;  // the faces and edges of a body, as readSolids() found them
+struct BodyShape;  // the faces and edges of a body, as readSolids() or readBodyShape() found them
 
 /// What an envelope was made from. If the body moves along straight lines or turns about fixed
 /// axes, the solid gets the exact faces of the sweep: faces of the body at poses, and surfaces that
 /// its edges and contact curves sweep.
 struct SolidOrigin {
-  Sources sources;  ///< of the triangles of the mesh, in their order
   Trajectory trajectory;
   std::shared_ptr<const BodyShape> shape;
 };
@@ -186,6 +185,9 @@ class SolidReader {
   virtual std::vector<ImportedSolid> read(const std::string& path, double linearDeflection,
                                           double angularDeflection) = 0;
 };
+
+/// Reads the faces and edges of a STEP or BREP file, for SolidOrigin. Throws like readSolids().
+std::shared_ptr<const BodyShape> readBodyShape(const std::string& path, RunContext& run);
 
 /// Throws Error(InvalidInput, "BadFile" | "BadFormat"), Error(Cancelled).
 SolidCheck checkSolidFile(const std::string& path, RunContext& run);

@@ -16,9 +16,8 @@
 
 namespace swept::step {
 
-/// Returns nothing if no such solid can be made, if it differs from the mesh by more than the
-/// tolerance, or if it has too many faces. The deviation is measured at the crossings. Along
-/// creases, these are more accurate than the vertices of the mesh.
+/// Returns nothing if no such solid can be made, if it deviates from the swept volume by more than
+/// the tolerance, or if it has too many faces.
 std::optional<Built> makeFromBody(const HalfEdgeMesh& mesh, const SolidOptions& options,
                                   const std::function<bool(std::int64_t)>& fits, Judge& judge,
                                   RunContext& run);

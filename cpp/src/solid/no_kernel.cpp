@@ -33,6 +33,10 @@ std::vector<ImportedSolid> readSolids(const std::string& path, double /*linearDe
   refuseToRead(path);
 }
 
+std::shared_ptr<const BodyShape> readBodyShape(const std::string& path, RunContext& /*run*/) {
+  refuseToRead(path);
+}
+
 SolidCheck checkSolidFile(const std::string& path, RunContext& /*run*/) { refuseToRead(path); }
 
 }  // namespace swept

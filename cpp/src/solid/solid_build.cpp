@@ -37,16 +37,9 @@ void requireName(const char* name, const std::string& text) {
             std::to_string(kLongestName));
 }
 
-void requireOrigin(const SolidOrigin& origin, const HalfEdgeMesh& mesh) {
-  if (origin.shape == nullptr || origin.sources.rows == nullptr)
-    badOption(
-        "the sources (the faces that made the envelope) are incomplete; compute the envelope with "
-        "sources, from a body that was read from a STEP or BREP file");
-  if (origin.sources.of.size() != mesh.triangles.size()) {
-    badOption("there are sources for " + std::to_string(origin.sources.of.size()) +
-              " triangles, but the mesh has " + std::to_string(mesh.triangles.size()) +
-              " triangles; give the sources of this mesh");
-  }
+void requireOrigin(const SolidOrigin& origin) {
+  if (origin.shape == nullptr)
+    badOption("the body has no faces; give a body that was read from a STEP or BREP file");
 }
 
 // Rough figures for estimates and messages, measured on triangulated bodies.
@@ -164,7 +157,7 @@ HalfEdgeMesh thinned(const HalfEdgeMesh& mesh, double limit, RunContext& run) {
 
 Built buildWithinLimits(const HalfEdgeMesh& mesh, SolidOptions& options, SolidFormat format,
                         Judge& judge, RunContext& run) {
-  if (options.origin != nullptr) requireOrigin(*options.origin, mesh);
+  if (options.origin != nullptr) requireOrigin(*options.origin);
   return uprightWithin(options.tolerance,
                        [&] { return buildUpright(mesh, options, format, judge, run); });
 }

@@ -228,7 +228,7 @@ SolidResult writeOutput(const Result& result, const Body& body, const Trajectory
       SolidOptions options = job.solid;
       if (wantsBodyFaces(job, body)) {
         options.origin =
-            std::make_shared<const SolidOrigin>(SolidOrigin{result.sources, motion, body.shape});
+            std::make_shared<const SolidOrigin>(SolidOrigin{motion, body.shape});
       }
       solid = writeSolid(result.mesh, path, options, run);
       return;
@@ -284,9 +284,7 @@ SolidResult runJob(const EnvelopeJob& job, RunContext& run, Report& report) {
   const Trajectory motion =
       readInputMotion(job.motionPath, job.motionUnit, job.interpolation, job.pivot);
   const double reading = since(start);
-  Options options = job.options;
-  options.sources = options.sources || wantsBodyFaces(job, body);
-  Result result = compute(body.mesh, motion, options, run);
+  Result result = compute(body.mesh, motion, job.options, run);
   report = std::move(result.report);
   const std::vector<Finding>& found = body.findings;
   report.warnings.insert(report.warnings.begin(), found.begin(), found.end());

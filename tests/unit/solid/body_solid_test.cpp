@@ -49,8 +49,7 @@ class BodySolid : public testing::Test {
     motion_.pivot = pivot_;
     for (Pose& pose : motion_.poses) pose.translation += pivot_ - pose.rotation * pivot_;
     Options options;
-    options.resolution = 96;
-    options.sources = true;
+    options.resolution = resolution_;
     result_ = compute(body_.mesh, motion_, options, run_);
     ASSERT_EQ(result_.report.status, Status::Ok) << result_.report.message;
   }
@@ -60,8 +59,7 @@ class BodySolid : public testing::Test {
     for (const Vector3d& p : result_.mesh.vertices) box.extend(p);
     SolidOptions options;
     options.tolerance = 1e-3 * box.diagonal().norm();
-    options.origin =
-        std::make_shared<const SolidOrigin>(SolidOrigin{result_.sources, motion_, body_.shape});
+    options.origin = std::make_shared<const SolidOrigin>(SolidOrigin{motion_, body_.shape});
     return options;
   }
 
@@ -98,6 +96,7 @@ class BodySolid : public testing::Test {
   }
 
   const Eigen::Quaterniond none_ = Eigen::Quaterniond::Identity();
+  int resolution_ = 96;
   Vector3d pivot_ = Vector3d::Zero();
   TemporaryFolder folder_;
   RunContext run_;
@@ -178,13 +177,11 @@ TEST_F(BodySolid, AnEstimateHasItsFacesAndSize) {
   EXPECT_GT(estimate.seconds, estimate.trialSeconds);
 }
 
-TEST_F(BodySolid, RefusesSourcesOfAnotherMesh) {
+TEST_F(BodySolid, RefusesABodyWithoutFaces) {
   readBodyOf(boxMesh(12, 8, 5));
   sweep({{0, 0, 0}, {7, 4, 9}}, none_);
   SolidOptions options = optionsWithOrigin();
-  SolidOrigin origin = *options.origin;
-  origin.sources.of.pop_back();
-  options.origin = std::make_shared<const SolidOrigin>(origin);
+  options.origin = std::make_shared<const SolidOrigin>(SolidOrigin{motion_, nullptr});
   try {
     writeSolid(result_.mesh, folder_.file("x.step"), options, run_);
     FAIL() << "no error";
@@ -192,6 +189,30 @@ TEST_F(BodySolid, RefusesSourcesOfAnotherMesh) {
     EXPECT_EQ(error.code(), "BadOption");
   }
   EXPECT_EQ(folder_.count(), 1u) << "only the body";
+}
+
+// Some vertices of the mesh are off by more than the tolerance, but the solid is right.
+TEST_F(BodySolid, ACoarseMeshDoesNotRefuseIt) {
+  const std::string file = folder_.file("rod.brep");
+  writeRod(kRadius, kLength, file);
+  readBodyFrom(file);
+  resolution_ = 32;
+  sweep({{0, 0, 0}, {9, 3, 11}}, none_);
+  SolidOptions options = optionsWithOrigin();
+  options.tolerance = 0.03;
+  const WrittenSolid report = write(options);
+  EXPECT_EQ(kinds_["facet"], 0);
+  EXPECT_LE(report.deviation, options.tolerance);
+}
+
+// A solid of another motion is found out.
+TEST_F(BodySolid, AnotherMotionIsRefused) {
+  readBodyOf(boxMesh(12, 8, 5));
+  sweep({{0, 0, 0}, {7, 4, 9}}, none_);
+  motion_.poses.back().translation += Vector3d(0.5, -0.2, 0);
+  const SolidOptions options = optionsWithOrigin();
+  const WrittenSolid report = write(options);
+  EXPECT_NEAR(report.volume, report.meshVolume, 1e-3 * report.meshVolume);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ from ..convert import InputProblem
 from ..quantities import quantity
 from ..texts import translate
 from . import envelope as envelope_feature
-from . import missing, status, step_reader
+from . import missing, solid_origin, status, step_reader
 from .base import (  # noqa: F401 (the states are read from here as well)
     FAILED,
     NOT_COMPUTED,
@@ -191,14 +191,16 @@ def notes_of(obj):
 
 
 class Request:
-    """A mesh and the settings of its solid, independent of any document."""
+    """A mesh and the settings of its solid, independent of any document. origin: a
+    solid_origin.Origin, or None."""
 
-    def __init__(self, vertices, triangles, name, exact, settings):
+    def __init__(self, vertices, triangles, name, exact, settings, origin=None):
         self.vertices = vertices
         self.triangles = triangles
         self.name = name
         self.exact = exact
         self.settings = settings
+        self.origin = origin
 
     def with_settings(self, given):
         """Returns a request with the same mesh and other settings. Raises InputProblem."""
@@ -211,10 +213,10 @@ class Request:
                     "swept volume: set the Tolerance of the solid to 0.",
                 )
             )
-        return Request(self.vertices, self.triangles, self.name, self.exact, wanted)
+        return Request(self.vertices, self.triangles, self.name, self.exact, wanted, self.origin)
 
-    def options(self):
-        """Returns the settings as the core takes them."""
+    def options(self, control):
+        """Returns the settings as the core takes them. Any thread."""
         reach = float(np.abs(self.vertices).max()) if len(self.vertices) else 1.0
         if self.settings["tessellated"]:
             return {
@@ -228,6 +230,7 @@ class Request:
             "max_megabytes": self.settings["max_megabytes"],
             "tolerance": self.settings["tolerance"],
             "exact": self.exact,
+            "origin": self.origin and self.origin.argument(control),
         }
 
     def estimates(self, suffix):
@@ -237,7 +240,7 @@ class Request:
 
         def estimate(quick):
             return lambda control: core.estimate_solid(
-                self.vertices, self.triangles, control, suffix, quick, **self.options()
+                self.vertices, self.triangles, control, suffix, quick, **self.options(control)
             )
 
         # Without OpenCASCADE in the core, a trial would take as long as writing the solid.
@@ -249,9 +252,8 @@ class Request:
         """Writes STEP or BREP; the suffix gives the type. Returns the core's report (dict). Raises
         core.CoreError."""
         write = core.write_solid if core.has_solids() else step_reader.write
-        return write(
-            self.vertices, self.triangles, path, control, product_name=self.name, **self.options()
-        )
+        options = dict(self.options(control), product_name=self.name)
+        return write(self.vertices, self.triangles, path, control, **options)
 
 
 def request_for(source, world=False, **given):
@@ -263,10 +265,14 @@ def request_for(source, world=False, **given):
     _check_source(source)
     exact = envelope_feature.is_envelope(source) and bool(source.Conservative)
     vertices, triangles = convert.arrays_from_mesh(source.Mesh)
+    placed = convert.matrix_of(convert.global_placement(*convert.root_path(source)))
     if world:
-        placement = convert.global_placement(*convert.root_path(source))
-        vertices = convert.transform(convert.matrix_of(placement), vertices)
-    return Request(vertices, triangles, source.Label, exact, DEFAULTS).with_settings(given)
+        vertices = convert.transform(placed, vertices)
+    origin = None
+    if envelope_feature.is_envelope(source):
+        origin = solid_origin.of(source, np.eye(4) if world else np.linalg.inv(placed))
+    request = Request(vertices, triangles, source.Label, exact, DEFAULTS, origin)
+    return request.with_settings(given)
 
 
 def settings(obj):

@@ -28,7 +28,6 @@
 
 #include "base/parallel.h"
 #include "solid/assemble/pieces.h"
-#include "solid/assemble/swept_faces.h"
 
 namespace swept::step {
 namespace {
@@ -186,13 +185,10 @@ TopoDS_Shape unified(const TopoDS_Shape& solids) {
 
 }  // namespace
 
-TopoDS_Shape assembleSweep(const BodyShape& body, const Trajectory& trajectory, double volume,
+TopoDS_Shape assembleSweep(const std::vector<SweptFace>& faces, const Sides& sides, double volume,
                            double accuracy, const Message_ProgressRange& progress) {
   constexpr int kRounds = 4;
-  Message_ProgressScope scope(progress, "", kRounds + 1);
-  const std::vector<SweptFace> faces = sweptFaces(body, trajectory, scope.Next());
-  if (faces.empty() || scope.UserBreak()) return {};
-  const Sides sides(body.shape, trajectory);
+  Message_ProgressScope scope(progress, "", kRounds);
   Candidates candidates(faces, sides);
   if (candidates.curvedPairs() > kMaxCurvedPairs) return {};
   TopTools_ListOfShape arguments = candidates.used();

@@ -1,13 +1,13 @@
 // Makes the solid of a sweep from the faces and edges of the moving body. The mesh of the envelope
 // is not needed.
-// In:      the body, the trajectory (straight moves, and turns about a fixed axis).
+// In:      the faces of swept_faces.h.
 // Out:     a kernel solid, or a compound of solids, whose faces are parts of the body's faces and
 //          of the surfaces that its edges and contact curves sweep. Nothing, if these do not form a
 //          closed surface.
 // Units:   mm.
 // Cost:    seconds: 2 s for a part of 80 faces, 12 s for one of 240.
-// Method:  1. swept_faces.h makes all faces of which the envelope may consist. Those without a
-//             point on the surface of the swept volume are put aside.
+// Method:  1. Of the given faces, those without a point on the surface of the swept volume are put
+//             aside.
 //          2. The kernel cuts all faces where they intersect (its "general fuse").
 //          3. The pieces enclose cells. Sample points on both sides of the pieces tell which cells
 //             lie inside the swept volume (swept_interior.h). The envelope bounds these cells.
@@ -20,15 +20,17 @@
 
 #include <Message_ProgressRange.hxx>
 #include <TopoDS_Shape.hxx>
+#include <vector>
 
-#include "solid/assemble/body_shape.h"
-#include "swept/types.h"
+#include "solid/assemble/sides.h"
+#include "solid/assemble/swept_faces.h"
 
 namespace swept::step {
 
-/// `volume` (mm^3) of the envelope, known with this `accuracy` (mm^3). Returns a null shape if
-/// there is no solid with this volume. May throw Standard_Failure.
-TopoDS_Shape assembleSweep(const BodyShape& body, const Trajectory& trajectory, double volume,
+/// `faces`: all of which the envelope may consist. `sides`: of the same sweep. `volume` (mm^3) of
+/// the envelope, known with this `accuracy` (mm^3). Returns a null shape if there is no solid with
+/// this volume. May throw Standard_Failure.
+TopoDS_Shape assembleSweep(const std::vector<SweptFace>& faces, const Sides& sides, double volume,
                            double accuracy, const Message_ProgressRange& progress);
 
 }  // namespace swept::step

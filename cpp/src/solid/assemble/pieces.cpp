@@ -2,12 +2,9 @@
 #include "solid/assemble/pieces.h"
 
 #include <BOPAlgo_MakerVolume.hxx>
-#include <BRepBndLib.hxx>
-#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -17,48 +14,8 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "solid/assemble/shape_triangles.h"
 
 namespace swept::step {
-namespace {
-
-/// Fractions of the size of the body: how far its triangles may lie from its faces, and how far
-/// sample points lie from the face that they judge.
-constexpr double kDeflection = 1.0 / 80000, kSampleDistance = 1.0 / 30000;
-constexpr double kAngle = 0.1;  // rad, between adjacent triangles of the body
-
-double sizeOf(const TopoDS_Shape& shape) {
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, Standard_False);
-  return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
-}
-
-}  // namespace
-
-Sides::Sides(const TopoDS_Shape& body, const Trajectory& trajectory)
-    : size_(sizeOf(body)),
-      interior_(trianglesOf(BRepBuilderAPI_Copy(body, Standard_False), kDeflection * size_, kAngle),
-                trajectory, kDeflection * size_) {}
-
-double Sides::distance() const { return kSampleDistance * size_; }
-
-void Sides::vote(const FaceSample& sample, Votes& votes) const {
-  const gp_Vec off = gp_Vec(sample.normal) * distance();
-  const bool before = contains(sample.point.Translated(off));
-  const bool behind = contains(sample.point.Translated(-off));
-  ++(before ? (behind ? votes.both : votes.before) : (behind ? votes.behind : votes.none));
-}
-
-bool Sides::isOnSurface(const TopoDS_Face& face) const {
-  constexpr int kSamples = 200;
-  const std::vector<FaceSample> samples = samplesOf(face, kSamples);
-  return std::any_of(samples.begin(), samples.end(), [&](const FaceSample& sample) {
-    Votes votes;
-    vote(sample, votes);
-    return votes.behind + votes.before > 0;
-  });
-}
-
 Pieces::Pieces(const TopoDS_Shape& fused, const Sides& sides) : fused_(fused), sides_(sides) {
   TopExp::MapShapes(fused, TopAbs_FACE, faces_);
   TopExp::MapShapesAndAncestors(fused, TopAbs_EDGE, TopAbs_FACE, edges_);

@@ -14,34 +14,9 @@
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
-#include "solid/assemble/face_samples.h"
-#include "solid/assemble/swept_interior.h"
+#include "solid/assemble/sides.h"
 
 namespace swept::step {
-
-/// Where samples of a piece see the swept volume: behind the piece only, before it only (on the
-/// side of the normal), on both sides, or on none.
-struct Votes {
-  int behind = 0, before = 0, both = 0, none = 0;
-  int count() const { return behind + before + both + none; }
-};
-
-/// Judges on which side of a face the swept volume is.
-class Sides {
- public:
-  Sides(const TopoDS_Shape& body, const Trajectory& trajectory);
-
-  /// mm: how far sample points lie from the face that they judge.
-  double distance() const;
-  void vote(const FaceSample& sample, Votes& votes) const;
-  /// Returns whether a sample of the face lies on the surface of the swept volume.
-  bool isOnSurface(const TopoDS_Face& face) const;
-
- private:
-  bool contains(const gp_Pnt& p) const { return interior_.contains({p.X(), p.Y(), p.Z()}); }
-  double size_;
-  SweptInterior interior_;
-};
 
 /// The pieces into which all faces cut each other.
 class Pieces {

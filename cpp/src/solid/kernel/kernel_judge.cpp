@@ -1,6 +1,7 @@
 // The judge (model/judge.h) of builds with OpenCASCADE.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepAdaptor_Surface.hxx>
+#include <Message_ProgressScope.hxx>
 #include <Standard_ErrorHandler.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
@@ -14,6 +15,9 @@
 #include "solid/assemble/body_shape.h"
 #include "solid/assemble/exact_sections.h"
 #include "solid/assemble/shape_triangles.h"
+#include "solid/assemble/sides.h"
+#include "solid/assemble/sweep_deviation.h"
+#include "solid/assemble/swept_faces.h"
 #include "solid/kernel/brep.h"
 #include "solid/kernel/interference.h"
 #include "solid/kernel/kernel.h"
@@ -85,12 +89,17 @@ class KernelJudge : public Judge {
     return step::findInterfering(model, brep_, run);
   }
   std::optional<Assembly> assemble(const SolidOptions& options, const HalfEdgeMesh& mesh,
-                                   double deflection, RunContext& run) override {
+                                   RunContext& run) override {
     const SolidOrigin& origin = *options.origin;
     const Handle(KernelProgress) progress = new KernelProgress(run, 0.0, 0.3);
+    Message_ProgressScope scope(progress->Start(), "", 5);
     brep_ = {};
-    brep_.shape = assembleSweep(*origin.shape, origin.trajectory, mesh.volume,
-                                mesh.area * options.tolerance, progress->Start());
+    const std::vector<SweptFace> faces = sweptFaces(*origin.shape, origin.trajectory, scope.Next());
+    run.checkpoint(Phase::Export);
+    if (faces.empty()) return std::nullopt;
+    const Sides sides(origin.shape->shape, origin.trajectory);
+    brep_.shape =
+        assembleSweep(faces, sides, mesh.volume, mesh.area * options.tolerance, scope.Next(4));
     run.checkpoint(Phase::Export);
     if (brep_.shape.IsNull()) return std::nullopt;
     makeSectionsExact(brep_.shape);
@@ -100,8 +109,10 @@ class KernelJudge : public Judge {
     if (doesIntersectItself(read)) return std::nullopt;
     Assembly assembly;
     assembly.check = checkShape(read, run, 0.3, 0.5);
-    constexpr double kAngle = 0.5;  // rad; the deflection demands more
-    assembly.surface = trianglesOf(read, deflection, kAngle);
+    constexpr double kDeflection = 0.5;  // of the accuracy
+    constexpr double kAngle = 0.5;       // rad; the deflection demands more
+    assembly.deviation = sweepDeviation(trianglesOf(read, kDeflection * sides.distance(), kAngle),
+                                        mesh.points, sides.interior(), sides.distance());
     for (TopExp_Explorer it(read, TopAbs_FACE); it.More(); it.Next())
       ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];
     return assembly;

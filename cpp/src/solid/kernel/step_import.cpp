@@ -119,6 +119,12 @@ std::vector<ImportedSolid> readSolids(const std::string& path, double linearDefl
   });
 }
 
+std::shared_ptr<const BodyShape> readBodyShape(const std::string& path, RunContext& run) {
+  return withShape(path, run, [](const TopoDS_Shape& shape, const step::ProductNames&) {
+    return std::make_shared<const BodyShape>(BodyShape{shape});
+  });
+}
+
 SolidCheck checkSolidFile(const std::string& path, RunContext& run) {
   return withShape(path, run, [&](const TopoDS_Shape& shape, const step::ProductNames&) {
     SolidCheck check = step::checkShape(shape, run, 0.5, 1.0);

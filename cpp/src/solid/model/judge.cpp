@@ -4,8 +4,7 @@
 namespace swept::step {
 
 std::optional<Assembly> Judge::assemble(const SolidOptions& /*options*/,
-                                        const HalfEdgeMesh& /*mesh*/, double /*deflection*/,
-                                        RunContext& /*run*/) {
+                                        const HalfEdgeMesh& /*mesh*/, RunContext& /*run*/) {
   return std::nullopt;
 }
 

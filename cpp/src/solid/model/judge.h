@@ -27,8 +27,8 @@ namespace swept::step {
 /// A solid that the kernel made from the faces and edges of the moving body.
 struct Assembly {
   std::map<std::string, std::int64_t> facesByKind;
-  SolidCheck check;  ///< of the STEP file, read back
-  TriMesh surface;   ///< triangles of its faces
+  SolidCheck check;      ///< of the STEP file, read back
+  double deviation = 0;  ///< mm, from the swept volume (assemble/sweep_deviation.h)
 };
 
 class Judge {
@@ -50,10 +50,9 @@ class Judge {
   virtual std::vector<std::int32_t> findInterfering(const Model& model, RunContext& run) = 0;
 
   /// Makes the solid from SolidOptions::origin alone. Returns nothing if the judge has no kernel or
-  /// if there is no such solid with about the volume (mm^3) of the mesh. `deflection`: mm, how far
-  /// Assembly::surface may lie from the faces.
+  /// if there is no such solid with about the volume (mm^3) of the mesh.
   virtual std::optional<Assembly> assemble(const SolidOptions& options, const HalfEdgeMesh& mesh,
-                                           double deflection, RunContext& run);
+                                           RunContext& run);
   /// Writes the solid of the last assemble() as a STEP file.
   virtual void writeAssembled(std::ostream& out, const std::string& name,
                               const SolidOptions& options, RunContext& run);

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/sweep_deviation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "base/parallel.h"
+#include "geometry/nearest_triangle.h"
+
+namespace swept::step {
+namespace {
+
+using Eigen::Vector3d;
+
+/// At most this many points are examined, the farthest first. The others count with their distance:
+/// if most of the mesh lies elsewhere, it belongs to another motion.
+constexpr std::size_t kMaxExamined = 20000;
+constexpr double kMaxFraction = 0.1;
+constexpr std::size_t kBlock = 256;
+
+struct FootPoint {
+  double distance;
+  std::uint32_t point;
+  Vector3d foot;
+};
+
+// Returns, for each point, its nearest point on the triangles.
+std::vector<FootPoint> feetOf(const std::vector<Vector3d>& points, const TriMesh& mesh) {
+  const NearestTriangle nearest(mesh.vertices, mesh.triangles);
+  std::vector<FootPoint> feet(points.size());
+  parallelBlocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    std::int32_t hint = -1;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double squared = nearest.query(points[i], HUGE_VAL, 0, hint);
+      const auto& t = mesh.triangles[hint];
+      const Foot foot =
+          footOnTriangle(points[i], mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+      feet[i] = {std::sqrt(squared), static_cast<std::uint32_t>(i), foot.point};
+    }
+  });
+  return feet;
+}
+
+// Returns whether the surface of the swept volume passes the ball.
+bool passes(const SweptInterior& sweep, const Vector3d& centre, const Vector3d& along,
+            double radius) {
+  const bool inside = sweep.contains(centre + radius * along);
+  if (sweep.contains(centre - radius * along) != inside) return true;
+  // The corners and the middles of the faces of a cube, for places at sharp edges.
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        const Vector3d to(x, y, z);
+        if (std::abs(x) + std::abs(y) + std::abs(z) == 2 || to.isZero()) continue;
+        if (sweep.contains(centre + radius * to.normalized()) != inside) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+double sweepDeviation(const TriMesh& solid, const std::vector<Vector3d>& points,
+                      const SweptInterior& sweep, double accuracy) {
+  std::vector<FootPoint> feet = feetOf(points, solid);
+  std::sort(feet.begin(), feet.end(), [](const FootPoint& a, const FootPoint& b) {
+    return a.distance != b.distance ? a.distance > b.distance : a.point < b.point;
+  });
+  const std::size_t examined = std::min(
+      kMaxExamined, static_cast<std::size_t>(kMaxFraction * static_cast<double>(feet.size())));
+  parallelBlocks(examined, 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const FootPoint& foot = feet[i];
+      const Vector3d along = (points[foot.point] - foot.foot).normalized();
+      for (double radius = accuracy; radius < foot.distance; radius *= 2) {
+        if (!passes(sweep, foot.foot, along, radius)) continue;
+        feet[i].distance = radius;
+        break;
+      }
+    }
+  });
+  double largest = 0;
+  for (const FootPoint& foot : feet) largest = std::max(largest, foot.distance);
+  return largest;
+}
+
+}  // namespace swept::step
