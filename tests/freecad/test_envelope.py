@@ -1,17 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The main workflow without a window: envelope, solid, export."""
 import json
+import math
 import os
 import zipfile
 from unittest import mock
 
 import FreeCAD as App
+import numpy as np
 import Part
 
 from case import Case, V, shift, turn
 from sweptvolume import core, export
 from sweptvolume.convert import InputProblem
-from sweptvolume.features import envelope, envelope_plan, kept, motion, solid, step_reader
+from sweptvolume.features import (
+    envelope,
+    envelope_plan,
+    kept,
+    motion,
+    solid,
+    solid_origin,
+    step_reader,
+)
 
 
 class Computed(Case):
@@ -316,9 +326,52 @@ class SolidAndFiles(Computed):
         envelope.compute(obj)
         return obj, solid.make_solid(self.doc, obj, Tolerance=0.1)
 
+    def test_faces_of_the_part(self):
+        """The solid of a straight move has the exact volume, wherever part and envelope stand."""
+        if not core.has_solids():
+            self.skipTest("the core has no OpenCASCADE")
+        obj, body = self.swept_pin()
+        exact = math.pi * 6 * 6 * 10 + 2 * 6 * 10 * 30
+        report = solid.compute(body)
+        self.assertNotIn("facet", report["faces_by_kind"])
+        self.assertAlmostEqual(body.Volume.Value, exact, delta=1e-6 * exact)
+        self.assertLess(body.EdgeTolerance.Value, 1e-6)
+        group = self.doc.addObject("App::Part", "Group")
+        for member in (self.doc.Pin, obj, body):
+            group.addObject(member)
+        group.Placement = turn(30, V(1, 2, 3), V(7, 8, 9))
+        self.doc.recompute()
+        envelope.compute(obj)
+        solid.compute(body)
+        self.assertAlmostEqual(body.Volume.Value, exact, delta=1e-6 * exact)
+        path = os.path.join(self.folder, "pin.step")
+        report = export.write(export.request(obj, solid.settings(body)), path)
+        self.assertNotIn("facet", report["faces_by_kind"])
+        placed = Part.read(path)
+        inside = body.Shape.copy()
+        inside.Placement = group.Placement.multiply(inside.Placement)
+        self.assertAlmostEqual(placed.common(inside).Volume, exact, delta=1e-6 * exact)
+
+    def test_faces_of_parts_that_only_the_mesh_knows(self):
+        obj = self.envelope([self.box()], self.line(), CellSize=0.5)
+        envelope.compute(obj)
+        matrix = np.eye(4)
+        self.assertEqual(solid_origin.of(obj, matrix) is not None, core.has_solids())
+        for change in ({"Offset": 1.0}, {"MovingParts": [self.box("Other"), self.box("Third")]}):
+            other = self.envelope([self.box()], self.line(), CellSize=0.5)
+            for name, value in change.items():
+                setattr(other, name, value)
+            envelope.compute(other)
+            self.assertIsNone(solid_origin.of(other, matrix))
+        obj.CellSize = 0.6
+        self.doc.recompute()
+        self.assertEqual(obj.Status, envelope.STALE)
+        self.assertIsNone(solid_origin.of(obj, matrix))
+
     def test_without_kernel_in_the_core(self):
         obj, body = self.swept_pin()
         request = export.request(obj, solid.settings(body))
+        request.origin = None  # with a kernel, the core would take the faces from the part
         ours, path = (os.path.join(self.folder, name) for name in ("ours.step", "freecads.step"))
         if core.has_solids():
             export.write(request, ours)
