@@ -15,6 +15,7 @@
 #include <GProp_GProps.hxx>
 #include <Message_ProgressScope.hxx>
 #include <ShapeFix_Shape.hxx>
+#include <Standard_Failure.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -130,6 +131,16 @@ TopoDS_Shape fused(const TopTools_ListOfShape& arguments, const Message_Progress
   return fuser.HasErrors() ? TopoDS_Shape() : fuser.Shape();
 }
 
+TopoDS_Shape dividedAtSections(const SweptFaces& given) {
+  std::vector<TopoDS_Face> faces;
+  for (const SweptFace& face : given.faces) faces.push_back(face.face);
+  try {
+    return divideFaces(faces, given.sections);
+  } catch (const Standard_Failure&) {
+    return {};  // the general fuse may succeed
+  }
+}
+
 double volumeOf(const TopoDS_Shape& shape) {
   GProp_GProps properties;
   BRepGProp::VolumeProperties(shape, properties);
@@ -185,11 +196,25 @@ TopoDS_Shape unified(const TopoDS_Shape& solids) {
 
 }  // namespace
 
-TopoDS_Shape assembleSweep(const std::vector<SweptFace>& faces, const Sides& sides, double volume,
-                           double accuracy, const Message_ProgressRange& progress) {
+AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double volume,
+                             double accuracy, const Message_ProgressRange& progress) {
   constexpr int kRounds = 4;
   Message_ProgressScope scope(progress, "", kRounds);
-  Candidates candidates(faces, sides);
+  const auto solidOf = [&](const std::vector<TopoDS_Face>& pieces) {
+    const TopoDS_Shape solids = solidsOf(pieces);
+    const bool isRight = !solids.IsNull() && std::abs(volumeOf(solids) - volume) <= accuracy;
+    return isRight ? unified(solids) : TopoDS_Shape();
+  };
+  if (!faces.sections.empty()) {
+    const TopoDS_Shape divided = dividedAtSections(faces);
+    if (!divided.IsNull()) {
+      const Pieces pieces(divided, sides);
+      const TopoDS_Shape solid =
+          pieces.openEdges().empty() ? solidOf(pieces.chosen()) : TopoDS_Shape();
+      if (!solid.IsNull()) return {solid, pieces.areCertain()};
+    }
+  }
+  Candidates candidates(faces.faces, sides);
   if (candidates.curvedPairs() > kMaxCurvedPairs) return {};
   TopTools_ListOfShape arguments = candidates.used();
   std::size_t before = 0;  // open edges of the previous round
@@ -200,10 +225,8 @@ TopoDS_Shape assembleSweep(const std::vector<SweptFace>& faces, const Sides& sid
     const std::vector<TopoDS_Edge> open = pieces.openEdges();
     for (const bool cells : {true, false}) {
       if (!cells && !open.empty()) continue;
-      const TopoDS_Shape solids = solidsOf(cells ? pieces.aroundCells() : pieces.chosen());
-      if (solids.IsNull() || std::abs(volumeOf(solids) - volume) > accuracy) continue;
-      const TopoDS_Shape joined = unified(solids);
-      if (!joined.IsNull()) return joined;
+      const TopoDS_Shape solid = solidOf(cells ? pieces.aroundCells() : pieces.chosen());
+      if (!solid.IsNull()) return {solid, false};
     }
     if (open.empty() || open.size() == before) return {};
     before = open.size();

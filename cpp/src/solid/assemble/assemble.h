@@ -6,9 +6,11 @@
 //          closed surface.
 // Units:   mm.
 // Cost:    seconds: 2 s for a part of 80 faces, 12 s for one of 240.
-// Method:  1. Of the given faces, those without a point on the surface of the swept volume are put
-//             aside.
-//          2. The kernel cuts all faces where they intersect (its "general fuse").
+// Method:  1. If the sections of the faces are known, they divide the faces (divide_faces.h). Those
+//             pieces are taken that have the swept volume on one side only. If they are closed,
+//             steps 2 to 5 are not needed.
+//          2. Faces without a point on the surface of the swept volume are put aside. The kernel
+//             cuts all faces where they intersect (its "general fuse").
 //          3. The pieces enclose cells. Sample points on both sides of the pieces tell which cells
 //             lie inside the swept volume (swept_interior.h). The envelope bounds these cells.
 //          4. Where the pieces do not enclose everything, those are taken that have the swept
@@ -27,10 +29,14 @@
 
 namespace swept::step {
 
+struct AssembledSweep {
+  TopoDS_Shape shape;      ///< null if there is no solid with the volume of the envelope
+  bool isCertain = false;  ///< whether the sides of all its faces are certain
+};
+
 /// `faces`: all of which the envelope may consist. `sides`: of the same sweep. `volume` (mm^3) of
-/// the envelope, known with this `accuracy` (mm^3). Returns a null shape if there is no solid with
-/// this volume. May throw Standard_Failure.
-TopoDS_Shape assembleSweep(const std::vector<SweptFace>& faces, const Sides& sides, double volume,
-                           double accuracy, const Message_ProgressRange& progress);
+/// the envelope, known with this `accuracy` (mm^3). May throw Standard_Failure.
+AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double volume,
+                             double accuracy, const Message_ProgressRange& progress);
 
 }  // namespace swept::step

@@ -21,10 +21,14 @@ Pieces::Pieces(const TopoDS_Shape& fused, const Sides& sides) : fused_(fused), s
   TopExp::MapShapesAndAncestors(fused, TopAbs_EDGE, TopAbs_FACE, edges_);
   votes_.resize(faces_.Extent() + 1);
   parallelBlocks(faces_.Extent(), 1, [&](std::size_t begin, std::size_t end) {
-    constexpr int kSamples = 9;
     for (std::size_t f = begin + 1; f <= end; ++f) {
-      for (const FaceSample& sample : samplesOf(face(static_cast<int>(f)), kSamples))
-        sides_.vote(sample, votes_[f]);
+      // Few points of a fine grid lie in a piece that fills little of its range of parameters.
+      for (const int count : {9, 100, 1000}) {
+        votes_[f] = {};
+        for (const FaceSample& sample : samplesOf(face(static_cast<int>(f)), count))
+          sides_.vote(sample, votes_[f]);
+        if (votes_[f].count() >= kMinSamples) break;
+      }
     }
   });
   choose();
@@ -136,21 +140,32 @@ void Pieces::choose() {
       const int open = openEdgesOf(f, false);
       if (open == 0) continue;
       const int left = openEdgesOf(f, true);
-      if (left >= open || (left > 0 && !isDoubtful(f))) continue;
+      if (left >= open || (left > 0 && isUnanimous(f) && !isNarrow(f))) continue;
       chosen_[f] = !chosen_[f];
       ++changes;
     }
   }
 }
 
-bool Pieces::isDoubtful(int f) const {
-  constexpr double kNarrow = 30;  // times the distance of the samples
+bool Pieces::isUnanimous(int f) const {
   const Votes& votes = votes_[f];
   const int most = std::max({votes.behind, votes.before, votes.both + votes.none});
-  if (most < votes.count() || votes.count() < 3) return true;
-  GProp_GProps area;
+  return most == votes.count() && most >= kMinSamples;
+}
+
+bool Pieces::isNarrow(int f) const {
+  constexpr double kNarrow = 30;  // times the distance of the samples
+  GProp_GProps area, length;
   BRepGProp::SurfaceProperties(faces_(f), area);
-  return std::sqrt(std::abs(area.Mass())) < kNarrow * sides_.distance();
+  BRepGProp::LinearProperties(faces_(f), length);
+  return 2 * std::abs(area.Mass()) < kNarrow * sides_.distance() * length.Mass();
+}
+
+bool Pieces::areCertain() const {
+  for (int f = 1; f <= faces_.Extent(); ++f) {
+    if (chosen_[f] && !isUnanimous(f) && !isNarrow(f)) return false;
+  }
+  return true;
 }
 
 }  // namespace swept::step

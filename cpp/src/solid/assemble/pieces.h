@@ -31,6 +31,9 @@ class Pieces {
   /// normals away from it.
   std::vector<TopoDS_Face> chosen() const;
 
+  /// Returns whether all samples of each chosen piece agree, unless the piece is narrow.
+  bool areCertain() const;
+
   /// Returns the pieces, those at the edges one by one, the others together.
   TopTools_ListOfShape looseNear(const std::vector<TopoDS_Edge>& edges) const;
 
@@ -51,7 +54,8 @@ class Pieces {
   // distance. So choices are inverted where this leaves fewer open edges.
   void choose();
 
-  bool isDoubtful(int f) const;
+  bool isUnanimous(int f) const;
+  bool isNarrow(int f) const;
 
   const TopoDS_Shape fused_;
   const Sides& sides_;

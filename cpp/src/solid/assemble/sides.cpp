@@ -6,6 +6,7 @@
 #include <Bnd_Box.hxx>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solid/assemble/shape_triangles.h"
 
@@ -47,6 +48,26 @@ bool Sides::isOnSurface(const TopoDS_Face& face) const {
     vote(sample, votes);
     return votes.behind + votes.before > 0;
   });
+}
+
+bool Sides::isEdge(const gp_Pnt& p, const gp_Vec& a, const gp_Vec& b) const {
+  constexpr double kMinHalfAngle = 0.01;  // of half the angle between both faces
+  const double sizes = a.Magnitude() * b.Magnitude();
+  if (sizes <= gp::Resolution()) return false;
+  const gp_Vec u = a / a.Magnitude(), v = b / b.Magnitude();
+  // Samples lie in the middle of each sector, so far from the edge that both faces are at the usual
+  // distance.
+  const gp_Vec sum = u + v, difference = u - v;
+  bool in = false, out = false;
+  for (const auto& [middle, across] : {std::pair(sum, difference), std::pair(difference, sum)}) {
+    const double sine = std::max(kMinHalfAngle, across.Magnitude() / 2);
+    if (middle.Magnitude() < kMinHalfAngle) continue;
+    for (const double side : {1.0, -1.0}) {
+      const gp_Vec to = middle * (side * distance() / (sine * middle.Magnitude()));
+      (contains(p.Translated(to)) ? in : out) = true;
+    }
+  }
+  return in && out;
 }
 
 }  // namespace swept::step

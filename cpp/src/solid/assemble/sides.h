@@ -7,6 +7,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <gp_Pnt.hxx>
+#include <gp_Vec.hxx>
 
 #include "solid/assemble/face_samples.h"
 #include "solid/assemble/swept_interior.h"
@@ -31,6 +32,10 @@ class Sides {
   void vote(const FaceSample& sample, Votes& votes) const;
   /// Returns whether a sample of the face lies on the surface of the swept volume.
   bool isOnSurface(const TopoDS_Face& face) const;
+  /// Returns whether two faces that intersect at p form an edge of the swept volume: of the four
+  /// sectors between them, some lie inside and some outside. `a`, `b`: directions in the faces,
+  /// perpendicular to the edge.
+  bool isEdge(const gp_Pnt& p, const gp_Vec& a, const gp_Vec& b) const;
 
  private:
   bool contains(const gp_Pnt& p) const { return interior_.contains({p.X(), p.Y(), p.Z()}); }

@@ -8,11 +8,13 @@
 #include <BRep_Tool.hxx>
 #include <Message_ProgressScope.hxx>
 #include <Precision.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
 #include <cmath>
 #include <gp_Ax1.hxx>
 #include <gp_Trsf.hxx>
@@ -22,6 +24,7 @@
 #include "motion/pivot.h"
 #include "motion/step_path.h"
 #include "solid/assemble/cut_body.h"
+#include "solid/assemble/straight_sections.h"
 
 namespace swept::step {
 namespace {
@@ -110,9 +113,19 @@ class Sweeper {
   std::unique_ptr<BRepPrimAPI_MakeRevol> turn_;
 };
 
+// The parts of the body that sweep faces in one step. Indices of faces are those in SweptFaces.
+struct SweepingParts {
+  std::vector<CapFace> caps;
+  std::vector<int> atStart, atEnd;  // faces of the caps
+  std::vector<TopoDS_Edge> edges, sweeping;
+  std::vector<int> swept;  // faces of the sweeping edges
+};
+
 // Appends the faces of one step. The body is at the pose at which the step starts.
 bool appendStep(const TopoDS_Shape& body, const Move& move, int pose, bool isFirst,
-                std::vector<SweptFace>& to, const Message_ProgressRange& progress) {
+                std::vector<SweptFace>& to, SweepingParts& sources,
+                const Message_ProgressRange& progress) {
+  const auto next = [&] { return static_cast<int>(to.size()); };
   const Velocity velocity = [&](const gp_Pnt& p) { return move.velocityAt(p); };
   const TopoDS_Compound parts = cutAtContact(body, velocity, progress);
   if (parts.IsNull()) return false;
@@ -123,14 +136,20 @@ bool appendStep(const TopoDS_Shape& body, const Move& move, int pose, bool isFir
   for (int i = 1; i <= faces.Extent(); ++i) {
     const TopoDS_Face& face = TopoDS::Face(faces(i));
     sides[i] = sideOf(face, velocity);
-    if (isFirst && sides[i] <= 0) to.push_back({face, pose});
-    if (sides[i] >= 0) to.push_back({sweeper.atEnd(face), pose + 1});
+    const CapFace cap{face, isFirst && sides[i] <= 0, sides[i] >= 0};
+    sources.caps.push_back(cap);
+    sources.atStart.push_back(next());
+    if (cap.atStart) to.push_back({face, pose});
+    sources.atEnd.push_back(next());
+    if (cap.atEnd) to.push_back({sweeper.atEnd(face), pose + 1});
   }
   TopTools_IndexedDataMapOfShapeListOfShape edges;
   TopExp::MapShapesAndAncestors(parts, TopAbs_EDGE, TopAbs_FACE, edges);
   for (int i = 1; i <= edges.Extent(); ++i) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges.FindKey(i));
-    if (BRep_Tool::Degenerated(edge) || move.slides(edge)) continue;
+    if (BRep_Tool::Degenerated(edge)) continue;
+    sources.edges.push_back(edge);
+    if (move.slides(edge)) continue;
     bool isOutward = false, isInward = false;
     for (const TopoDS_Shape& face : edges(i)) {
       const int side = sides[faces.FindIndex(face)];
@@ -138,6 +157,8 @@ bool appendStep(const TopoDS_Shape& body, const Move& move, int pose, bool isFir
       isInward |= side <= 0;
     }
     if (!isOutward || !isInward) continue;
+    sources.sweeping.push_back(edge);
+    sources.swept.push_back(next());
     for (const TopoDS_Shape& swept : sweeper.sweptBy(edge)) {
       for (TopExp_Explorer it(swept, TopAbs_FACE); it.More(); it.Next())
         to.push_back({TopoDS::Face(it.Current()), SweptFace::kAlone});
@@ -146,23 +167,48 @@ bool appendStep(const TopoDS_Shape& body, const Move& move, int pose, bool isFir
   return true;
 }
 
-}  // namespace
+std::vector<SweptSection> sectionsOf(const SweepingParts& sources, const Move& move,
+                                     const Sides& sides) {
+  std::vector<SweptSection> sections;
+  for (const StraightSection& found :
+       straightSections(sources.caps, sources.sweeping, sources.edges, move.shift, sides)) {
+    const int other = found.cap < 0 ? sources.swept[found.other]
+                      : found.atEnd ? sources.atEnd[found.cap]
+                                    : sources.atStart[found.cap];
+    sections.push_back({found.edge, {sources.swept[found.sweeping], other}});
+  }
+  return sections;
+}
 
-std::vector<SweptFace> sweptFaces(const BodyShape& body, const Trajectory& trajectory,
-                                  const Message_ProgressRange& progress) {
-  if (trajectory.interpolation == Interpolation::None || trajectory.poses.size() < 2) return {};
-  const Vector3d pivot = pivotOf(trajectory);
-  const Trajectory carried = carriedByPivot(trajectory, pivot);
-  TopTools_IndexedMapOfShape bodyFaces;
-  TopExp::MapShapes(body.shape, TopAbs_FACE, bodyFaces);
-  if ((carried.poses.size() - 1) * bodyFaces.Extent() > kMaxFaces) return {};
+// Returns nothing if a step is of another kind.
+std::optional<std::vector<Move>> movesOf(const Trajectory& trajectory) {
+  if (trajectory.interpolation == Interpolation::None || trajectory.poses.size() < 2)
+    return std::nullopt;
+  const Trajectory carried = carriedByPivot(trajectory, pivotOf(trajectory));
   std::vector<Move> moves;
   for (std::size_t k = 0; k + 1 < carried.poses.size(); ++k) {
     const auto move = moveOf(carried.poses[k], carried.poses[k + 1], carried.interpolation);
-    if (!move) return {};
+    if (!move) return std::nullopt;
     moves.push_back(*move);
   }
-  std::vector<SweptFace> faces;
+  return moves;
+}
+
+}  // namespace
+
+bool canSweepFaces(const BodyShape& body, const Trajectory& trajectory) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(body.shape, TopAbs_FACE, faces);
+  return trajectory.poses.size() * faces.Extent() <= kMaxFaces + faces.Extent() &&
+         movesOf(trajectory).has_value();
+}
+
+SweptFaces sweptFaces(const BodyShape& body, const Trajectory& trajectory, const Sides& sides,
+                      const Message_ProgressRange& progress) {
+  const std::vector<Move> moves = movesOf(trajectory).value_or(std::vector<Move>());
+  const auto isMoving = [](const Move& move) { return !move.isRest(); };
+  const bool isSingle = std::count_if(moves.begin(), moves.end(), isMoving) == 1;
+  SweptFaces faces;
   Message_ProgressScope scope(progress, "", static_cast<double>(moves.size()));
   bool isFirst = true;
   for (std::size_t k = 0; k < moves.size(); ++k) {
@@ -174,7 +220,16 @@ std::vector<SweptFace> sweptFaces(const BodyShape& body, const Trajectory& traje
     placement.translation = pose.translation;
     const TopoDS_Shape posed =
         BRepBuilderAPI_Transform(body.shape, transformOf(placement), Standard_True).Shape();
-    if (!appendStep(posed, moves[k], static_cast<int>(k), isFirst, faces, range)) return {};
+    SweepingParts sources;
+    if (!appendStep(posed, moves[k], static_cast<int>(k), isFirst, faces.faces, sources, range))
+      return {};
+    if (isSingle && moves[k].angle == 0) {
+      try {
+        faces.sections = sectionsOf(sources, moves[k], sides);
+      } catch (const Standard_Failure&) {
+        // The kernel's general fuse may find the sections.
+      }
+    }
     isFirst = false;
   }
   return faces;

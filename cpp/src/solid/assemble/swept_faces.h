@@ -20,6 +20,8 @@
 #include <vector>
 
 #include "solid/assemble/body_shape.h"
+#include "solid/assemble/divide_faces.h"
+#include "solid/assemble/sides.h"
 #include "swept/types.h"
 
 namespace swept::step {
@@ -31,9 +33,18 @@ struct SweptFace {
   int group = kAlone;
 };
 
-/// Empty if a step of the trajectory is of another kind, if there are too many steps and faces of
-/// the body (2,000 of one times the other), or if the kernel fails.
-std::vector<SweptFace> sweptFaces(const BodyShape& body, const Trajectory& trajectory,
-                                  const Message_ProgressRange& progress);
+struct SweptFaces {
+  std::vector<SweptFace> faces;
+  /// If the motion is one straight move: the curves in which the faces intersect. Empty otherwise.
+  std::vector<SweptSection> sections;
+};
+
+/// Returns whether all steps of the trajectory are of these kinds, and the body has few enough
+/// faces (faces times steps up to 2,000).
+bool canSweepFaces(const BodyShape& body, const Trajectory& trajectory);
+
+/// `sides`: of the same sweep. Empty if the kernel fails.
+SweptFaces sweptFaces(const BodyShape& body, const Trajectory& trajectory, const Sides& sides,
+                      const Message_ProgressRange& progress);
 
 }  // namespace swept::step

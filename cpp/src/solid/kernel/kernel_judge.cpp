@@ -94,19 +94,22 @@ class KernelJudge : public Judge {
     const Handle(KernelProgress) progress = new KernelProgress(run, 0.0, 0.3);
     Message_ProgressScope scope(progress->Start(), "", 5);
     brep_ = {};
-    const std::vector<SweptFace> faces = sweptFaces(*origin.shape, origin.trajectory, scope.Next());
-    run.checkpoint(Phase::Export);
-    if (faces.empty()) return std::nullopt;
+    if (!canSweepFaces(*origin.shape, origin.trajectory)) return std::nullopt;
     const Sides sides(origin.shape->shape, origin.trajectory);
-    brep_.shape =
+    const SweptFaces faces = sweptFaces(*origin.shape, origin.trajectory, sides, scope.Next());
+    run.checkpoint(Phase::Export);
+    if (faces.faces.empty()) return std::nullopt;
+    const AssembledSweep assembled =
         assembleSweep(faces, sides, mesh.volume, mesh.area * options.tolerance, scope.Next(4));
     run.checkpoint(Phase::Export);
-    if (brep_.shape.IsNull()) return std::nullopt;
+    if (assembled.shape.IsNull()) return std::nullopt;
+    brep_.shape = assembled.shape;
     makeSectionsExact(brep_.shape);
     std::stringstream text;
     writeStepFile(brep_.shape, text, "", options, kernel_, run);
     const TopoDS_Shape read = readStepText(text, kernel_, run);
-    if (doesIntersectItself(read)) return std::nullopt;
+    // The kernel's test takes minutes for faces that are nearly tangent.
+    if (!assembled.isCertain && doesIntersectItself(read)) return std::nullopt;
     Assembly assembly;
     assembly.check = checkShape(read, run, 0.3, 0.5);
     constexpr double kDeflection = 0.5;  // of the accuracy
