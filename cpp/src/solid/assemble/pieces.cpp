@@ -16,6 +16,13 @@
 #include "base/parallel.h"
 
 namespace swept::step {
+namespace {
+
+/// A piece with fewer samples is judged by its neighbours.
+constexpr int kMinSamples = 3;
+
+}  // namespace
+
 Pieces::Pieces(const TopoDS_Shape& fused, const Sides& sides) : fused_(fused), sides_(sides) {
   TopExp::MapShapes(fused, TopAbs_FACE, faces_);
   TopExp::MapShapesAndAncestors(fused, TopAbs_EDGE, TopAbs_FACE, edges_);
