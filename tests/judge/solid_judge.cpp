@@ -10,6 +10,7 @@
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -20,6 +21,7 @@
 #include <GProp_GProps.hxx>
 #include <STEPControl_Reader.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
@@ -179,6 +181,19 @@ TopoDS_Shape readShape(const std::string& path) {
   }
   if (shape.IsNull()) throw std::runtime_error("the kernel reads no shape from " + path);
   return shape;
+}
+
+void writeRoundedBlock(const std::string& path) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(30, 20, 10).Shape();
+  const gp_Ax2 axes(gp_Pnt(10, 9, 0), gp_Dir(0, 0, 1));
+  const TopoDS_Shape hole = BRepPrimAPI_MakeCylinder(axes, 4, 10).Shape();
+  const TopoDS_Shape body = BRepAlgoAPI_Cut(block, hole).Shape();
+  BRepFilletAPI_MakeFillet rounder(body);
+  for (TopExp_Explorer it(body, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    if (BRepAdaptor_Curve(edge).GetType() == GeomAbs_Line) rounder.Add(2, edge);
+  }
+  BRepTools::Write(rounder.Shape(), path.c_str());
 }
 
 JudgedSolid judgeSolid(const TopoDS_Shape& shape, std::size_t detailCount, bool withBlock) {

@@ -34,6 +34,10 @@ TopoDS_Shape readShape(const std::string& path);
 /// Writes a cylinder about the z axis, from z = 0, as a BREP file.
 void writeRod(double radius, double length, const std::string& path);
 
+/// Writes a block of 30 x 20 x 10 with a hole and rounded edges, which are tangent to its faces, as
+/// a BREP file.
+void writeRoundedBlock(const std::string& path);
+
 /// detailCount: largest number of faults that are described. withBlock: also computes blockError
 /// (takes longer).
 JudgedSolid judgeSolid(const TopoDS_Shape& shape, std::size_t detailCount, bool withBlock);

@@ -227,8 +227,7 @@ SolidResult writeOutput(const Result& result, const Body& body, const Trajectory
     if (isSolidSuffix(suffixOfOutput(job))) {
       SolidOptions options = job.solid;
       if (wantsBodyFaces(job, body)) {
-        options.origin =
-            std::make_shared<const SolidOrigin>(SolidOrigin{motion, body.shape});
+        options.origin = std::make_shared<const SolidOrigin>(SolidOrigin{motion, body.shape});
       }
       solid = writeSolid(result.mesh, path, options, run);
       return;

@@ -138,6 +138,27 @@ TEST_F(BodySolid, RodAlongALine) {
   EXPECT_EQ(kinds_["plane"], 4);
 }
 
+// Most faces are tangent to their neighbours, and what their contact curves sweep is tangent to
+// them.
+TEST_F(BodySolid, RoundedBlockAlongALine) {
+  const std::string file = folder_.file("block.brep");
+  writeRoundedBlock(file);
+  readBodyFrom(file);
+  sweep({{0, 0, 0}, {17, 9, 21}}, none_);
+  const SolidOptions options = optionsWithOrigin();
+  const WrittenSolid report = write(options);
+  EXPECT_EQ(kinds_["facet"], 0);
+  EXPECT_GT(kinds_["cylinder"], 0);
+  EXPECT_GT(kinds_["sphere"], 0);
+  EXPECT_LE(report.deviation, options.tolerance);
+  EXPECT_LE(report.edgeTolerance, 1e-6);
+  EXPECT_TRUE(judged_.valid);
+  EXPECT_LE(judged_.blockError, 1e-6);
+  // One edge is 2e-7 mm off its face, 1e-11 mm more than its B-rep tolerance.
+  EXPECT_EQ(judged_.faults.count("SelfIntersect"), 0u);
+  EXPECT_LE(judged_.faults.size(), 1u);
+}
+
 TEST_F(BodySolid, BoxAlongABrokenLine) {
   readBodyOf(boxMesh(12, 8, 5));
   sweep({{0, 0, 0}, {14, 3, 2}, {16, 19, 11}}, none_);
@@ -205,7 +226,7 @@ TEST_F(BodySolid, ACoarseMeshDoesNotRefuseIt) {
   EXPECT_LE(report.deviation, options.tolerance);
 }
 
-// A solid of another motion is found out.
+// A solid of another motion is found out: its surfaces are then recognised in the mesh.
 TEST_F(BodySolid, AnotherMotionIsRefused) {
   readBodyOf(boxMesh(12, 8, 5));
   sweep({{0, 0, 0}, {7, 4, 9}}, none_);

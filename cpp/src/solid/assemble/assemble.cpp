@@ -15,8 +15,8 @@
 #include <GProp_GProps.hxx>
 #include <Message_ProgressScope.hxx>
 #include <ShapeFix_Shape.hxx>
-#include <Standard_Failure.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>

@@ -39,6 +39,7 @@ class FaceAtEdge {
     curve_ = BRep_Tool::CurveOnSurface(edge, face, from, to);
   }
   bool isKnown() const { return !curve_.IsNull(); }
+  bool isSpline() const { return !Handle(Geom2d_BSplineCurve)::DownCast(curve_).IsNull(); }
 
   gp_Pnt at(const gp_Pnt2d& p) const { return surface_->Value(p.X(), p.Y()); }
   /// Starts at the point of the edge with this parameter.
@@ -158,6 +159,42 @@ class Section {
   std::array<FaceAtEdge, 2> sides_;
 };
 
+// Returns the curve in the parameters of the face, with the parameters of the edge. Null if the
+// kernel has an exact one, or if no spline is exact enough.
+Handle(Geom2d_BSplineCurve) exactParameters(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  constexpr int kPieces = 16, kRounds = 6;
+  const BRepAdaptor_Curve curve(edge);
+  FaceAtEdge side(edge, face);
+  if (!side.isSpline()) return {};
+  const double from = curve.FirstParameter(), to = curve.LastParameter();
+  std::vector<double> ts;
+  for (int i = 0; i <= kPieces; ++i) ts.push_back(from + (to - from) * i / kPieces);
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<CurvePoint2d> points;
+    for (const double t : ts) {
+      gp_Pnt p;
+      gp_Vec along, normal;
+      curve.D1(t, p, along);
+      side.start(t);
+      side.distance(p, normal);
+      const auto [at, tangent] = side.parameters(along);
+      points.push_back({at, tangent});
+    }
+    const Handle(Geom2d_BSplineCurve) result = interpolated(points, ts);
+    if (result.IsNull()) return {};
+    std::vector<double> finer;
+    for (std::size_t i = 0; i < ts.size(); ++i) {
+      finer.push_back(ts[i]);
+      if (i + 1 == ts.size()) break;
+      const double t = (ts[i] + ts[i + 1]) / 2;
+      if (side.at(result->Value(t)).Distance(curve.Value(t)) > kCurveBound) finer.push_back(t);
+    }
+    if (finer.size() == ts.size()) return result;
+    ts = std::move(finer);
+  }
+  return {};
+}
+
 }  // namespace
 
 void makeSectionsExact(const TopoDS_Shape& shape) {
@@ -172,7 +209,14 @@ void makeSectionsExact(const TopoDS_Shape& shape) {
     if (a.IsSame(b)) continue;
     if (BRep_Tool::IsClosed(edge, a) || BRep_Tool::IsClosed(edge, b)) continue;
     const auto section = Section(edge, a, b).exact();
-    if (!section) continue;
+    if (!section) {
+      for (const TopoDS_Face& face : {a, b}) {
+        const Handle(Geom2d_BSplineCurve) parameters = exactParameters(edge, face);
+        if (!parameters.IsNull())
+          builder.UpdateEdge(edge, parameters, face, Precision::Confusion());
+      }
+      continue;
+    }
     builder.UpdateEdge(edge, section->curve, TopLoc_Location(), Precision::Confusion());
     builder.UpdateEdge(edge, section->onSides[0], a, Precision::Confusion());
     builder.UpdateEdge(edge, section->onSides[1], b, Precision::Confusion());

@@ -22,7 +22,7 @@ constexpr double kMeet = 1e-7;
 std::optional<Crossing> refined(const Profile& a, const Profile& b, Crossing at,
                                 const Projection& projection) {
   constexpr int kRounds = 12;
-  constexpr double kExact = 1e-10;   // mm
+  constexpr double kExact = 1e-10;           // mm
   constexpr double kMinCrossingSine = 1e-5;  // of the angle at which the curves cross
   double distance = HUGE_VAL;
   for (int round = 0; round < kRounds; ++round) {

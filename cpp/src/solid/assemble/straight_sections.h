@@ -10,9 +10,10 @@
 //          onto the face; it ends where the curve crosses the border of the face. So all these
 //          sections follow from crossings of plane curves. The kernel's intersections of surfaces
 //          fail where two faces are nearly tangent; these do not.
-// Limits:  Faces of the body at the start and at the end may intersect each other as well. These
-//          sections are not found. (This is the classical hidden line method: A. Appel, The notion
-//          of quantitative invisibility, 1967.)
+//          A. Appel, The notion of quantitative invisibility and the machine rendering of solids,
+//          1967: the same idea, for drawings of polyhedra.
+// Limits:  sections of faces of the body at the start with faces of the body at the end are not
+//          found.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
