@@ -5,7 +5,7 @@ import numpy as np
 
 from .. import apart, convert, core
 from ..convert import InputProblem
-from ..safe_file import passing
+from ..safe_file import no_room_text, passing
 from .base import UP_TO_DATE
 from .envelope_plan import Plan
 
@@ -24,12 +24,15 @@ class Origin:
         self._shape = None
 
     def argument(self, control):
-        """Returns the argument `origin` of core.write_solid(). Any thread."""
+        """Returns the argument `origin` of core.write_solid(). Any thread. Raises CoreError."""
         if self._shape is None:
             shape = self._part.copy().copy()
             shape.transformShape(_as_matrix(self._matrix))
             with passing(".brep") as path:
-                shape.exportBrep(path)
+                try:
+                    shape.exportBrep(path)
+                except Exception:  # if the disk is full, FreeCAD raises an error without a reason
+                    raise core.CoreError("ExportFailed", "WriteFailed", no_room_text()) from None
                 self._shape = core.read_body_shape(path, control)
         return self._motion, self._interpolation, self._shape
 

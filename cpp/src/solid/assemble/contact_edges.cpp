@@ -4,10 +4,12 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
 #include <ElCLib.hxx>
 #include <GC_MakeCircle.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Circle.hxx>
+#include <Geom_Curve.hxx>
 #include <Precision.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <algorithm>
@@ -215,6 +217,51 @@ class ContactTracer {
     if (!addLine(points, closed) && !addCircle(points, closed)) addSpline(points);
   }
 
+  // Adds the edge, cut at its cusps: where the contact curve runs along the velocity, its image
+  // along the velocity turns back. What both parts sweep lies on different sides.
+  void add(const TopoDS_Edge& edge) {
+    double from, to;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, from, to);
+    const auto across = [&](double t) {
+      gp_Pnt p;
+      gp_Vec along;
+      curve->D1(t, p, along);
+      const gp_Vec v = velocity_(p);
+      return along - v * (along.Dot(v) / std::max(v.SquareMagnitude(), gp::Resolution()));
+    };
+    constexpr int kSteps = 200;
+    constexpr double kNoImage = 1e-6;  // mm for each unit of the parameter
+    double start = from, before = from;
+    gp_Vec image = across(from);
+    for (int i = 1; i <= kSteps; ++i) {
+      const double t = from + (to - from) * i / kSteps;
+      const gp_Vec next = across(t);
+      if (next.Magnitude() < kNoImage) continue;
+      if (image.Dot(next) < 0) {
+        double low = before, high = t;
+        while (high - low > 1e-14 * (to - from)) {
+          const double middle = (low + high) / 2;
+          if (middle <= low || middle >= high) break;
+          (image.Dot(across(middle)) > 0 ? low : high) = middle;
+        }
+        addPart(curve, start, low);
+        start = low;
+      }
+      before = t;
+      image = next;
+    }
+    if (start == from) {
+      edges_.push_back(edge);
+    } else {
+      addPart(curve, start, to);
+    }
+  }
+
+  void addPart(const Handle(Geom_Curve) & curve, double from, double to) {
+    BRepBuilderAPI_MakeEdge maker(curve, from, to);
+    if (maker.IsDone()) edges_.push_back(maker.Edge());
+  }
+
   bool addLine(const Points& points, bool closed) {
     const gp_Pnt a = at(points.front()), b = at(points.back());
     if (closed || a.Distance(b) < kShortest) return false;
@@ -222,7 +269,7 @@ class ContactTracer {
     for (const gp_Pnt2d& p : points) {
       if (line.Distance(at(p)) > kCurveBound) return false;
     }
-    edges_.push_back(BRepBuilderAPI_MakeEdge(a, b));
+    add(BRepBuilderAPI_MakeEdge(a, b));
     return true;
   }
 
@@ -238,7 +285,7 @@ class ContactTracer {
       if (circle.Distance(at(p)) > kCurveBound) return false;
     }
     if (closed) {
-      edges_.push_back(BRepBuilderAPI_MakeEdge(circle));
+      add(BRepBuilderAPI_MakeEdge(circle));
       return true;
     }
     // The edge must run from a through b to c.
@@ -250,7 +297,7 @@ class ContactTracer {
       const gp_Ax2& axes = circle.Position();
       circle.SetPosition(gp_Ax2(axes.Location(), axes.Direction().Reversed(), axes.XDirection()));
     }
-    edges_.push_back(BRepBuilderAPI_MakeEdge(circle, a, c));
+    add(BRepBuilderAPI_MakeEdge(circle, a, c));
     return true;
   }
 
@@ -323,7 +370,7 @@ class ContactTracer {
         if (curve->Value(t).Distance(p) > kCurveBound) finer.push_back(*exact);
       }
       if (finer.size() == points.size() || round == kRounds) {
-        edges_.push_back(BRepBuilderAPI_MakeEdge(curve));
+        add(BRepBuilderAPI_MakeEdge(curve));
         return;
       }
       points = std::move(finer);

@@ -25,7 +25,8 @@ using Velocity = std::function<gp_Vec(const gp_Pnt&)>;
 /// slides along itself.
 constexpr double kSliding = 1e-6;
 
-/// Returns the contact curves of the face. They may extend beyond its border.
+/// Returns the contact curves of the face, cut at their cusps: where they run along the velocity.
+/// They may extend beyond the border of the face.
 std::vector<TopoDS_Edge> contactEdges(const TopoDS_Face& face, const Velocity& velocity);
 
 }  // namespace swept::step

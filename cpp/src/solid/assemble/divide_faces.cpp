@@ -12,6 +12,7 @@
 #include <Geom_Curve.hxx>
 #include <IntTools_Context.hxx>
 #include <Precision.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -64,7 +65,12 @@ class Divider {
     TopoDS_Compound result;
     builder_.MakeCompound(result);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
-      if (!divide(f, result)) return {};
+      try {
+        if (divide(f, result)) continue;
+      } catch (const Standard_Failure&) {
+        // As if the kernel had reported an error.
+      }
+      builder_.Add(result, faces_[f]);
     }
     return result;
   }

@@ -99,6 +99,12 @@ gp_Vec FaceSection::normalOfSwept(const State& at) const {
 
 gp_Vec FaceSection::tangentAt(const State& at) const {
   const gp_Vec n = normalOfFace(at), m = normalOfSwept(at);
+  // At a cusp, the edge runs along the move, and so does the section.
+  constexpr double kCusp = 1e-4;
+  gp_Pnt p;
+  gp_Vec along;
+  profile_.curve.D1(at.t, p, along);
+  if (m.Magnitude() < kCusp * along.Magnitude()) return gp_Vec(projection_.direction());
   const double size = n.Magnitude() * m.Magnitude();
   return size <= gp::Resolution() ? gp_Vec() : n.Crossed(m) / size;
 }
