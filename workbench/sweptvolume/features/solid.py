@@ -215,8 +215,8 @@ class Request:
             )
         return Request(self.vertices, self.triangles, self.name, self.exact, wanted, self.origin)
 
-    def options(self, control):
-        """Returns the settings as the core takes them. Any thread."""
+    def options(self):
+        """Returns the settings as the core takes them."""
         reach = float(np.abs(self.vertices).max()) if len(self.vertices) else 1.0
         if self.settings["tessellated"]:
             return {
@@ -230,8 +230,13 @@ class Request:
             "max_megabytes": self.settings["max_megabytes"],
             "tolerance": self.settings["tolerance"],
             "exact": self.exact,
-            "origin": self.origin and self.origin.argument(control),
         }
+
+    def _options_with_origin(self, control):
+        """Returns the options to make the solid. Any thread. Raises core.CoreError."""
+        if self.origin is None or self.settings["tessellated"]:
+            return self.options()
+        return dict(self.options(), origin=self.origin.argument(control))
 
     def estimates(self, suffix):
         """Returns functions of a core.Control, for any thread, that estimate a file with this
@@ -239,9 +244,12 @@ class Request:
         does, and raise core.CoreError."""
 
         def estimate(quick):
-            return lambda control: core.estimate_solid(
-                self.vertices, self.triangles, control, suffix, quick, **self.options(control)
-            )
+            def found(control):
+                options = self.options() if quick else self._options_with_origin(control)
+                mesh = self.vertices, self.triangles
+                return core.estimate_solid(*mesh, control, suffix, quick, **options)
+
+            return found
 
         # Without OpenCASCADE in the core, a trial would take as long as writing the solid.
         if self.settings["tessellated"] or not core.has_solids():
@@ -252,7 +260,7 @@ class Request:
         """Writes STEP or BREP; the suffix gives the type. Returns the core's report (dict). Raises
         core.CoreError."""
         write = core.write_solid if core.has_solids() else step_reader.write
-        options = dict(self.options(control), product_name=self.name)
+        options = dict(self._options_with_origin(control), product_name=self.name)
         return write(self.vertices, self.triangles, path, control, **options)
 
 

@@ -11,6 +11,8 @@ from .envelope_plan import Plan
 
 #: How far the matrix of a link may differ from a rigid one.
 SAME = 1e-9
+#: With more poses, the core recognises the faces in the mesh even for a part with one face.
+MOST_POSES = 2001
 
 
 class Origin:
@@ -40,7 +42,8 @@ class Origin:
 def of(envelope, into_mesh):
     """Returns the Origin of an up-to-date envelope, or None if the core has to recognise the faces
     in the mesh: the envelope is grown or made of several parts, the part is a mesh, or its motion
-    is curved. into_mesh: 4x4 from the world to the coordinates of the mesh."""
+    is curved or has too many poses. into_mesh: 4x4 from the world to the coordinates of the mesh.
+    """
     if not core.has_solids() or envelope.Status != UP_TO_DATE:
         return None
     if envelope.Offset > 0 or envelope.Conservative or envelope.PositionFilter > 0:
@@ -59,6 +62,8 @@ def of(envelope, into_mesh):
     if moving.curved() or part.is_mesh or len(part.shape.Solids) != 1 or not _is_rigid(matrix):
         return None
     poses, interpolation = moving.trajectory(0.0)
+    if len(poses.times) > MOST_POSES:
+        return None
     placed = into_mesh @ convert.matrices_from(*poses.arrays())
     times = np.array(poses.times, dtype=float)
     return Origin(part.detached(), matrix, (times, placed), interpolation)

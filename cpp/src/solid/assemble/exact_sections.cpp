@@ -55,10 +55,7 @@ class FaceAtEdge {
   }
   /// Returns the parameters of the last foot point, and how they change along the tangent.
   std::pair<gp_Pnt2d, gp_Vec2d> parameters(const gp_Vec& tangent) const {
-    const double uu = alongU_.SquareMagnitude(), uv = alongU_.Dot(alongV_),
-                 vv = alongV_.SquareMagnitude(), det = uu * vv - uv * uv;
-    const double u = tangent.Dot(alongU_), v = tangent.Dot(alongV_);
-    return {at_, gp_Vec2d((vv * u - uv * v) / det, (uu * v - uv * u) / det)};
+    return {at_, parametersAlong(tangent, alongU_, alongV_)};
   }
 
  private:

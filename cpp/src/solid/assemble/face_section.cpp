@@ -261,13 +261,10 @@ bool FaceSection::isOn(const gp_Pnt& p, const State& a, const State& b) const {
     gp_Pnt q;
     gp_Vec alongU, alongV;
     surface_.D1(u, v, q, alongU, alongV);
-    const gp_Vec off(q, p);
-    const double uu = alongU.SquareMagnitude(), uv = alongU.Dot(alongV),
-                 vv = alongV.SquareMagnitude(), determinant = uu * vv - uv * uv;
-    if (determinant <= gp::Resolution()) return false;
-    const double x = off.Dot(alongU), y = off.Dot(alongV);
-    u += (vv * x - uv * y) / determinant;
-    v += (uu * y - uv * x) / determinant;
+    if (alongU.Crossed(alongV).SquareMagnitude() <= gp::Resolution()) return false;
+    const gp_Vec2d step = parametersAlong(gp_Vec(q, p), alongU, alongV);
+    u += step.X();
+    v += step.Y();
   }
   return surface_.Value(u, v).Distance(p) <= kCurveBound;
 }

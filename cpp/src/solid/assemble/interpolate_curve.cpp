@@ -36,6 +36,13 @@ auto throughPoints(const Points& points, const std::vector<double>& lengths, dou
 
 }  // namespace
 
+gp_Vec2d parametersAlong(const gp_Vec& step, const gp_Vec& alongU, const gp_Vec& alongV) {
+  const double uu = alongU.SquareMagnitude(), uv = alongU.Dot(alongV),
+               vv = alongV.SquareMagnitude(), determinant = uu * vv - uv * uv;
+  const double u = step.Dot(alongU), v = step.Dot(alongV);
+  return {(vv * u - uv * v) / determinant, (uu * v - uv * u) / determinant};
+}
+
 Handle(Geom_BSplineCurve)
     interpolated(const std::vector<CurvePoint>& points, std::vector<double>& lengths) {
   lengths.assign(1, 0);

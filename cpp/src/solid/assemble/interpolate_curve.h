@@ -27,6 +27,10 @@ struct CurvePoint2d {
   gp_Vec2d tangent;
 };
 
+/// Returns the change of the parameters of a surface along the part of `step` that is tangent to
+/// it. alongU, alongV: derivatives of the surface.
+gp_Vec2d parametersAlong(const gp_Vec& step, const gp_Vec& alongU, const gp_Vec& alongV);
+
 /// Returns a spline of cubics through the points. Its parameters at the points are `lengths`: the
 /// lengths of the chords up to them. Null if the kernel fails.
 Handle(Geom_BSplineCurve)

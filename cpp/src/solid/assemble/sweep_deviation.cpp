@@ -33,9 +33,7 @@ std::vector<FootPoint> feetOf(const std::vector<Vector3d>& points, const TriMesh
     std::int32_t hint = -1;
     for (std::size_t i = begin; i < end; ++i) {
       const double squared = nearest.query(points[i], HUGE_VAL, 0, hint);
-      const auto& t = mesh.triangles[hint];
-      const Foot foot =
-          footOnTriangle(points[i], mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+      const Foot foot = footOnTriangle(points[i], mesh, hint);
       feet[i] = {std::sqrt(squared), static_cast<std::uint32_t>(i), foot.point};
     }
   });
