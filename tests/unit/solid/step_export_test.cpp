@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +14,7 @@
 #include "solid/test_meshes.h"
 #include "support/process.h"
 #include "support/sampled.h"
+#include "support/shapes.h"
 #include "swept/solid.h"
 
 namespace swept {
@@ -362,6 +364,24 @@ TEST_F(StepExport, EstimateIsOfTheRightSize) {
   EXPECT_EQ(estimate.faces, report.faces);
   EXPECT_NEAR(estimate.megabytes, 1e-6 * static_cast<double>(report.fileBytes),
               0.5 * estimate.megabytes);
+}
+
+// The kernel's mesher makes no triangles for one conical face of this part.
+TEST_F(StepExport, NoFaceIsMissingWhenRead) {
+  const std::string part = SWEPT_SHARED_DATA "/cad/printer_extruder_idler.step";
+  if (!fs::exists(part)) GTEST_SKIP() << "shared test data not found: " << part;
+  RunContext run;
+  const double volume = checkSolidFile(part, run).volume;
+  for (const double deflection : {0.02, 0.004}) {
+    const std::vector<ImportedSolid> solids = readSolids(part, deflection, 0.2, run);
+    ASSERT_EQ(solids.size(), 1U);
+    EXPECT_NEAR(signedVolume(solids[0].mesh), volume, 1e-3 * volume);
+    std::vector<std::int32_t> faces = solids[0].mesh.faceOf;
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    EXPECT_EQ(faces.size(), 93U);
+    EXPECT_EQ(faces.back(), 92);
+  }
 }
 
 // A damaged file is refused, with the place of the damage, before the kernel reads it.

@@ -2,13 +2,17 @@
 #include "solid/assemble/shape_triangles.h"
 
 #include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Poly_Triangulation.hxx>
+#include <ShapeBuild_ReShape.hxx>
+#include <ShapeUpgrade_ShapeDivideClosed.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
+#include <algorithm>
 
 namespace swept::step {
 namespace {
@@ -35,20 +39,41 @@ void appendFace(const TopoDS_Face& face, std::int32_t number, TriMesh& mesh) {
   }
 }
 
-}  // namespace
-
-TriMesh meshOf(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& faces) {
-  TriMesh mesh;
-  for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next())
-    appendFace(TopoDS::Face(f.Current()), faces.FindIndex(f.Current()) - 1, mesh);
-  return mesh;
+bool hasTriangles(const TopoDS_Shape& face) {
+  TopLoc_Location location;
+  return !BRep_Tool::Triangulation(TopoDS::Face(face), location).IsNull();
 }
 
-TriMesh trianglesOf(const TopoDS_Shape& shape, double deflection, double angle) {
+void mesh(const TopoDS_Shape& shape, double deflection, double angle) {
   const BRepMesh_IncrementalMesh mesher(shape, deflection, Standard_False, angle, Standard_True);
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  return meshOf(shape, faces);
+}
+
+}  // namespace
+
+ShapeTriangles::ShapeTriangles(const TopoDS_Shape& shape, double deflection, double angle) {
+  mesh(shape, deflection, angle);
+  TopExp::MapShapes(shape, TopAbs_FACE, faces_);
+  for (int f = 1; f <= faces_.Extent(); ++f) meshed_.push_back(faces_(f));
+  if (std::all_of(meshed_.begin(), meshed_.end(), hasTriangles)) return;
+  ShapeUpgrade_ShapeDivideClosed divider(shape);
+  if (!divider.Perform()) return;
+  const TopoDS_Shape divided = divider.Result();
+  BRepTools::Clean(divided);
+  mesh(divided, deflection, angle);
+  for (TopoDS_Shape& face : meshed_) face = divider.GetContext()->Apply(face);
+}
+
+TriMesh ShapeTriangles::of(const TopoDS_Shape& part) const {
+  TriMesh result;
+  for (TopExp_Explorer f(part, TopAbs_FACE); f.More(); f.Next()) {
+    const int number = faces_.FindIndex(f.Current()) - 1;
+    const bool isTurned = f.Current().Orientation() != faces_(number + 1).Orientation();
+    for (TopExp_Explorer it(meshed_[number], TopAbs_FACE); it.More(); it.Next()) {
+      const TopoDS_Shape face = isTurned ? it.Current().Reversed() : it.Current();
+      appendFace(TopoDS::Face(face), number, result);
+    }
+  }
+  return result;
 }
 
 }  // namespace swept::step

@@ -18,6 +18,11 @@ namespace {
 constexpr double kDeflection = 1.0 / 80000, kSampleDistance = 1.0 / 30000;
 constexpr double kAngle = 0.1;  // rad, between adjacent triangles of the body
 
+TriMesh trianglesOf(const TopoDS_Shape& body, double deflection) {
+  const TopoDS_Shape copy = BRepBuilderAPI_Copy(body, Standard_False).Shape();
+  return ShapeTriangles(copy, deflection, kAngle).of(copy);
+}
+
 double sizeOf(const TopoDS_Shape& shape) {
   Bnd_Box box;
   BRepBndLib::Add(shape, box, Standard_False);
@@ -28,8 +33,7 @@ double sizeOf(const TopoDS_Shape& shape) {
 
 Sides::Sides(const TopoDS_Shape& body, const Trajectory& trajectory)
     : size_(sizeOf(body)),
-      interior_(trianglesOf(BRepBuilderAPI_Copy(body, Standard_False), kDeflection * size_, kAngle),
-                trajectory, kDeflection * size_) {}
+      interior_(trianglesOf(body, kDeflection * size_), trajectory, kDeflection * size_) {}
 
 double Sides::distance() const { return kSampleDistance * size_; }
 

@@ -114,8 +114,9 @@ class KernelJudge : public Judge {
     assembly.check = checkShape(read, run, 0.3, 0.5);
     constexpr double kDeflection = 0.5;  // of the accuracy
     constexpr double kAngle = 0.5;       // rad; the deflection demands more
-    assembly.deviation = sweepDeviation(trianglesOf(read, kDeflection * sides.distance(), kAngle),
-                                        mesh.points, sides.interior(), sides.distance());
+    const ShapeTriangles triangles(read, kDeflection * sides.distance(), kAngle);
+    assembly.deviation =
+        sweepDeviation(triangles.of(read), mesh.points, sides.interior(), sides.distance());
     for (TopExp_Explorer it(read, TopAbs_FACE); it.More(); it.Next())
       ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];
     return assembly;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <BRepMesh_IncrementalMesh.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -98,17 +97,15 @@ std::vector<ImportedSolid> readSolids(const std::string& path, double linearDefl
                                       std::shared_ptr<const BodyShape>* bodyShape) {
   return withShape(path, run, [&](const TopoDS_Shape& shape, step::ProductNames& names) {
     run.checkpoint(Phase::Input);
-    BRepMesh_IncrementalMesh mesher(shape, linearDeflection, false, angularDeflection, true);
+    const step::ShapeTriangles triangles(shape, linearDeflection, angularDeflection);
     run.checkpoint(Phase::Input);
-    TopTools_IndexedMapOfShape faces;
-    TopExp::MapShapes(shape, TopAbs_FACE, faces);
     std::vector<ImportedSolid> solids;
     for (TopExp_Explorer s(shape, TopAbs_SOLID); s.More(); s.Next()) {
-      TriMesh mesh = step::meshOf(s.Current(), faces);
+      TriMesh mesh = triangles.of(s.Current());
       if (!mesh.triangles.empty())
         solids.push_back({names[s.Current().TShape().get()], std::move(mesh)});
     }
-    if (solids.empty()) solids.push_back({"", step::meshOf(shape, faces)});
+    if (solids.empty()) solids.push_back({"", triangles.of(shape)});
     if (solids[0].mesh.triangles.empty())
       throw Error(
           Status::InvalidInput, "NoSurface",
