@@ -185,7 +185,10 @@ TopoDS_Shape solidsOf(const std::vector<TopoDS_Face>& faces) {
 TopoDS_Shape unified(const TopoDS_Shape& solids) {
   ShapeUpgrade_UnifySameDomain joiner(solids, Standard_True, Standard_True, Standard_False);
   joiner.Build();
+  constexpr double kMaxTolerance = 1e-4;  // mm, for vertices that ends of edges miss by rounding
   for (const TopoDS_Shape& shape : {joiner.Shape(), solids}) {
+    TopTools_IndexedMapOfShape none;
+    BOPTools_AlgoTools::CorrectTolerances(shape, none, kMaxTolerance);
     if (BRepCheck_Analyzer(shape).IsValid()) return shape;
     ShapeFix_Shape mender(shape);
     mender.Perform();

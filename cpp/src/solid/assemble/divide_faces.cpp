@@ -40,7 +40,7 @@ class Divider {
     }
     for (int i = 1; i <= found.Extent(); ++i) {
       vertices_.push_back(TopoDS::Vertex(found(i)));
-      near_ = std::max(near_, 2 * BRep_Tool::Tolerance(vertices_.back()));
+      near_.push_back(std::max(kMinNear, 2 * BRep_Tool::Tolerance(vertices_.back())));
     }
     inner_.resize(faces.size());
   }
@@ -49,7 +49,7 @@ class Divider {
     double from, to;
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(section.edge, from, to);
     const TopoDS_Vertex first = vertexAt(curve->Value(from)), last = vertexAt(curve->Value(to));
-    if (first.IsSame(last) && curve->Value((from + to) / 2).Distance(curve->Value(from)) < near_)
+    if (first.IsSame(last) && curve->Value((from + to) / 2).Distance(curve->Value(from)) < kMinNear)
       return;
     TopoDS_Edge edge;
     builder_.MakeEdge(edge, curve, Precision::Confusion());
@@ -80,11 +80,11 @@ class Divider {
   TopoDS_Vertex vertexAt(const gp_Pnt& p) {
     double nearest = HUGE_VAL;
     const TopoDS_Vertex* found = nullptr;
-    for (const TopoDS_Vertex& vertex : vertices_) {
-      const double distance = BRep_Tool::Pnt(vertex).Distance(p);
-      if (distance >= nearest || distance > near_) continue;
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      const double distance = BRep_Tool::Pnt(vertices_[i]).Distance(p);
+      if (distance >= nearest || distance > near_[i]) continue;
       nearest = distance;
-      found = &vertex;
+      found = &vertices_[i];
     }
     if (found != nullptr) {
       builder_.UpdateVertex(*found, nearest + Precision::Confusion());
@@ -93,6 +93,7 @@ class Divider {
     TopoDS_Vertex vertex;
     builder_.MakeVertex(vertex, p, Precision::Confusion());
     vertices_.push_back(vertex);
+    near_.push_back(kMinNear);
     added_.push_back(vertex);
     return vertex;
   }
@@ -103,9 +104,10 @@ class Divider {
     for (int e = 1; e <= edges_.Extent(); ++e) {
       const TopoDS_Edge& edge = TopoDS::Edge(edges_(e));
       if (BRep_Tool::Degenerated(edge)) continue;
+      const double near = std::max(kMinNear, 2 * BRep_Tool::Tolerance(edge));
       Bnd_Box box;
       BRepBndLib::Add(edge, box);
-      box.Enlarge(near_);
+      box.Enlarge(near);
       double from, to;
       const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, from, to);
       const TopoDS_Vertex first = TopExp::FirstVertex(edge), last = TopExp::LastVertex(edge);
@@ -114,7 +116,7 @@ class Divider {
         const gp_Pnt p = BRep_Tool::Pnt(vertex);
         if (box.IsOut(p) || vertex.IsSame(first) || vertex.IsSame(last)) continue;
         const GeomAPI_ProjectPointOnCurve foot(p, curve, from, to);
-        if (foot.NbPoints() == 0 || foot.LowerDistance() > near_) continue;
+        if (foot.NbPoints() == 0 || foot.LowerDistance() > near) continue;
         cuts.emplace_back(foot.LowerDistanceParameter(), vertex);
         builder_.UpdateVertex(vertex, foot.LowerDistance() + Precision::Confusion());
       }
@@ -176,12 +178,12 @@ class Divider {
   }
 
   const std::vector<TopoDS_Face>& faces_;
-  double near_ = kMinNear;
   const BRep_Builder builder_{};
   const Handle(IntTools_Context) context_ = new IntTools_Context;
   TopTools_IndexedMapOfShape edges_;
   std::vector<std::vector<TopoDS_Edge>> parts_;  // by edge; empty if it is not cut
   std::vector<TopoDS_Vertex> vertices_, added_;
+  std::vector<double> near_;  // by vertex: a section that ends at this distance ends there
   std::vector<std::vector<TopoDS_Edge>> inner_;  // by face
 };
 

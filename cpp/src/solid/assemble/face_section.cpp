@@ -45,11 +45,11 @@ TopoDS_Edge lineThrough(const std::vector<CurvePoint>& points) {
 
 // Returns indices of points that are not too near to each other, which would spoil the parameters
 // of a spline. The first and the last one stay.
-std::vector<std::size_t> apartFrom(const std::vector<CurvePoint>& points, double length) {
+std::vector<std::size_t> apartFrom(const std::vector<gp_Pnt>& points, double length) {
   const double least = std::max(1e-5 * length, 3e-7);
   std::vector<std::size_t> apart{0};
   for (std::size_t i = 1; i < points.size(); ++i) {
-    if (points[i].at.Distance(points[apart.back()].at) < least) {
+    if (points[i].Distance(points[apart.back()]) < least) {
       if (i + 1 < points.size()) continue;
       if (apart.size() > 1) apart.pop_back();
     }
@@ -122,6 +122,22 @@ double FaceSection::snapDistance(const State& at, double tolerance) const {
   return 1e-3 + (1e-5 + 2 * tolerance) / std::max(sine, 1e-4);
 }
 
+const FaceSection::BorderPoint& FaceSection::nearestBorder(const End& end, const gp_Pnt& p) {
+  return *std::min_element(end.border.begin(), end.border.end(),
+                           [&](const BorderPoint& a, const BorderPoint& b) {
+                             return a.at.SquareDistance(p) < b.at.SquareDistance(p);
+                           });
+}
+
+FaceSection::State FaceSection::stateAt(const BorderPoint& point, double t,
+                                        const State& known) const {
+  const double u = point.on.X(), v = point.on.Y();
+  const bool periodicU = surface_.IsUPeriodic(), periodicV = surface_.IsVPeriodic();
+  return {t, u + periods(known.u - u, periodicU, periodicU ? surface_.UPeriod() : 0),
+          v + periods(known.v - v, periodicV, periodicV ? surface_.VPeriod() : 0),
+          gp_Vec(profile_.curve.Value(t), point.at).Dot(projection_.direction())};
+}
+
 bool FaceSection::moveToEnd(const State& known, State& to, const End& end) const {
   if (end.border.empty()) {
     if (end.other.first == nullptr) return false;
@@ -132,18 +148,18 @@ bool FaceSection::moveToEnd(const State& known, State& to, const End& end) const
   }
   const bool isFound = solveNear(known, to, end.t);
   const gp_Pnt expected = pointAt(isFound ? to : known);
-  const auto nearest = std::min_element(
-      end.border.begin(), end.border.end(), [&](const BorderPoint& a, const BorderPoint& b) {
-        return a.at.SquareDistance(expected) < b.at.SquareDistance(expected);
-      });
-  if (isFound && nearest->at.Distance(expected) >= snapDistance(to, nearest->tolerance))
-    return true;
-  const double u = nearest->on.X(), v = nearest->on.Y();
-  const bool periodicU = surface_.IsUPeriodic(), periodicV = surface_.IsVPeriodic();
-  to.t = end.t;
-  to.u = u + periods(known.u - u, periodicU, periodicU ? surface_.UPeriod() : 0);
-  to.v = v + periods(known.v - v, periodicV, periodicV ? surface_.VPeriod() : 0);
-  to.along = gp_Vec(profile_.curve.Value(end.t), nearest->at).Dot(projection_.direction());
+  const BorderPoint& nearest = nearestBorder(end, expected);
+  if (isFound && nearest.at.Distance(expected) >= snapDistance(to, nearest.tolerance)) return true;
+  to = stateAt(nearest, end.t, known);
+  return true;
+}
+
+bool FaceSection::snapToEnd(State& at, const End& end) const {
+  if (end.border.empty()) return false;
+  const gp_Pnt p = pointAt(at);
+  const BorderPoint& nearest = nearestBorder(end, p);
+  if (nearest.at.Distance(p) >= snapDistance(at, nearest.tolerance)) return false;
+  at = stateAt(nearest, end.t, at);
   return true;
 }
 
@@ -168,9 +184,10 @@ bool FaceSection::follow(const State& known, State& to, const End& from, const E
       step = wTo - w;
     } else {
       step /= 2;
-      if (std::abs(step) < kLeastStep) return false;
+      if (std::abs(step) < kLeastStep) break;
     }
   }
+  to = at;
   return false;
 }
 
@@ -182,26 +199,41 @@ std::optional<std::vector<FaceSection::State>> FaceSection::statesAt(const std::
   states[mid] = middle;
   if (!solve(states[mid], parameterAt(from.t, to.t, ws[mid]))) return std::nullopt;
   for (std::size_t i = mid + 1; i < ws.size(); ++i) {
-    if (!follow(states[i - 1], states[i], from, to, ws[i - 1], ws[i])) return std::nullopt;
+    if (follow(states[i - 1], states[i], from, to, ws[i - 1], ws[i])) continue;
+    if (!snapToEnd(states[i], to)) return std::nullopt;
+    std::fill(states.begin() + i + 1, states.end(), states[i]);
+    break;
   }
   for (std::size_t i = mid; i-- > 0;) {
-    if (!follow(states[i + 1], states[i], from, to, ws[i + 1], ws[i])) return std::nullopt;
+    if (follow(states[i + 1], states[i], from, to, ws[i + 1], ws[i])) continue;
+    if (!snapToEnd(states[i], from)) return std::nullopt;
+    std::fill(states.begin(), states.begin() + i, states[i]);
+    break;
   }
   return states;
 }
 
 std::vector<CurvePoint> FaceSection::pointsAt(const std::vector<State>& states) const {
+  // Where both faces are tangent, the direction of the section follows from its other points.
+  constexpr double kMinSine = 1e-6, kMinSineAtEnd = 1e-3;
   std::vector<CurvePoint> points;
   for (const State& state : states) points.push_back({pointAt(state), tangentAt(state)});
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const gp_Vec along(points[i == 0 ? 0 : i - 1].at,
-                       points[std::min(i + 1, points.size() - 1)].at);
+  const std::size_t last = points.size() - 1;
+  std::vector<char> isKnown;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const gp_Vec along(points[i == 0 ? 0 : i - 1].at, points[std::min(i + 1, last)].at);
     gp_Vec& tangent = points[i].tangent;
-    constexpr double kMinTangent = 1e-6;
-    if (tangent.Magnitude() < kMinTangent) tangent = along;
+    isKnown.push_back(tangent.Magnitude() >= (i == 0 || i == last ? kMinSineAtEnd : kMinSine));
+    if (!isKnown[i]) tangent = along;
     if (tangent.Magnitude() <= gp::Resolution()) return {};
     if (tangent.Dot(along) < 0) tangent.Reverse();
     tangent.Normalize();
+  }
+  // A chord of a parabola has the mean direction of both ends.
+  for (const auto& [end, next] : {std::pair<std::size_t, std::size_t>(0, 1), {last, last - 1}}) {
+    if (last < 2 || isKnown[end] || !isKnown[next]) continue;
+    const gp_Vec chord = points[end].tangent;
+    points[end].tangent = chord * (2 * chord.Dot(points[next].tangent)) - points[next].tangent;
   }
   return points;
 }
@@ -212,27 +244,32 @@ std::optional<TopoDS_Edge> FaceSection::between(const End& from, const End& to,
   std::vector<double> ws;
   for (int i = 0; i <= kPieces; ++i) ws.push_back(i / double(kPieces));
   for (int round = 0;; ++round) {
-    const auto states = statesAt(ws, from, to, middle);
-    if (!states) return std::nullopt;
-    const std::vector<CurvePoint> all = pointsAt(*states);
+    const auto all = statesAt(ws, from, to, middle);
+    if (!all) return std::nullopt;
+    std::vector<gp_Pnt> places;
+    for (const State& state : *all) places.push_back(pointAt(state));
     double length = 0;
-    for (std::size_t i = 1; i < all.size(); ++i) length += all[i].at.Distance(all[i - 1].at);
+    for (std::size_t i = 1; i < places.size(); ++i) length += places[i].Distance(places[i - 1]);
     if (length < kShortestSection) return std::nullopt;
-    const TopoDS_Edge line = lineThrough(all);
+    std::vector<State> states;
+    std::vector<double> apart;
+    for (const std::size_t i : apartFrom(places, length)) {
+      states.push_back((*all)[i]);
+      apart.push_back(ws[i]);
+    }
+    const std::vector<CurvePoint> points = pointsAt(states);
+    if (points.empty()) return std::nullopt;
+    const TopoDS_Edge line = lineThrough(points);
     if (!line.IsNull()) return line;
-    const std::vector<std::size_t> apart = apartFrom(all, length);
-    std::vector<CurvePoint> points;
-    for (const std::size_t i : apart) points.push_back(all[i]);
     std::vector<double> lengths;
     const Handle(Geom_BSplineCurve) curve = interpolated(points, lengths);
     if (curve.IsNull()) return std::nullopt;
     std::vector<double> finer;
     for (std::size_t k = 0; k < apart.size(); ++k) {
-      finer.push_back(ws[apart[k]]);
+      finer.push_back(apart[k]);
       if (k + 1 == apart.size()) break;
       const gp_Pnt p = curve->Value((lengths[k] + lengths[k + 1]) / 2);
-      if (!isOn(p, (*states)[apart[k]], (*states)[apart[k + 1]]))
-        finer.push_back((ws[apart[k]] + ws[apart[k + 1]]) / 2);
+      if (!isOn(p, states[k], states[k + 1])) finer.push_back((apart[k] + apart[k + 1]) / 2);
     }
     if (finer.size() == apart.size() || round == kRounds) {
       const TopoDS_Edge edge = edgeOf(BRepBuilderAPI_MakeEdge(curve));

@@ -67,7 +67,13 @@ class FaceSection {
       : profile_(profile), surface_(other.surface_), projection_(other.projection_) {}
 
   bool solveNear(const State& known, State& to, double t) const;
+  static const BorderPoint& nearestBorder(const End& end, const gp_Pnt& p);
+  // Returns the state at a point of the border. `known`: a state nearby.
+  State stateAt(const BorderPoint& point, double t, const State& known) const;
   bool moveToEnd(const State& known, State& to, const End& end) const;
+  // Moves to the border point at the end, if it is so near that errors of the body may hide the
+  // rest of the section.
+  bool snapToEnd(State& at, const End& end) const;
   // Moves from fraction to fraction of the way between two ends (see parameterAt()).
   bool follow(const State& known, State& to, const End& from, const End& until, double wFrom,
               double wTo) const;
