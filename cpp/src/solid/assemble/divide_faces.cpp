@@ -16,19 +16,22 @@
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace swept::step {
 namespace {
 
-/// mm: ends of sections within this distance from a vertex or an edge lie on it. Sections are
-/// exact; edges of bodies from files are not.
-constexpr double kMinNear = 1e-4;
+/// mm: ends of sections within this distance from a vertex or an edge lie on it, or within twice
+/// its tolerance. Sections are exact; edges of bodies from files are not. Where they are at most
+/// 7e-4 mm off, in the leg of a robot, ends that belong together lie up to 3.5e-4 mm apart.
+constexpr double kMinNear = 1e-4, kMaxNear = 5e-4;
 
 class Divider {
  public:
@@ -40,7 +43,8 @@ class Divider {
     }
     for (int i = 1; i <= found.Extent(); ++i) {
       vertices_.push_back(TopoDS::Vertex(found(i)));
-      near_.push_back(std::max(kMinNear, 2 * BRep_Tool::Tolerance(vertices_.back())));
+      near_.push_back(2 * BRep_Tool::Tolerance(vertices_.back()));
+      least_ = std::clamp(near_.back(), least_, kMaxNear);
     }
     inner_.resize(faces.size());
   }
@@ -49,7 +53,7 @@ class Divider {
     double from, to;
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(section.edge, from, to);
     const TopoDS_Vertex first = vertexAt(curve->Value(from)), last = vertexAt(curve->Value(to));
-    if (first.IsSame(last) && curve->Value((from + to) / 2).Distance(curve->Value(from)) < kMinNear)
+    if (first.IsSame(last) && curve->Value((from + to) / 2).Distance(curve->Value(from)) < least_)
       return;
     TopoDS_Edge edge;
     builder_.MakeEdge(edge, curve, Precision::Confusion());
@@ -62,6 +66,7 @@ class Divider {
 
   TopoDS_Shape divide() {
     splitEdges();
+    joinEdges();
     TopoDS_Compound result;
     builder_.MakeCompound(result);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
@@ -82,7 +87,7 @@ class Divider {
     const TopoDS_Vertex* found = nullptr;
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
       const double distance = BRep_Tool::Pnt(vertices_[i]).Distance(p);
-      if (distance >= nearest || distance > near_[i]) continue;
+      if (distance >= nearest || distance > std::max(least_, near_[i])) continue;
       nearest = distance;
       found = &vertices_[i];
     }
@@ -93,18 +98,17 @@ class Divider {
     TopoDS_Vertex vertex;
     builder_.MakeVertex(vertex, p, Precision::Confusion());
     vertices_.push_back(vertex);
-    near_.push_back(kMinNear);
-    added_.push_back(vertex);
+    near_.push_back(least_);
     return vertex;
   }
 
-  // Cuts all edges at the new vertices that lie on them.
+  // Cuts all edges at the vertices that lie on them.
   void splitEdges() {
     parts_.resize(edges_.Extent() + 1);
     for (int e = 1; e <= edges_.Extent(); ++e) {
       const TopoDS_Edge& edge = TopoDS::Edge(edges_(e));
       if (BRep_Tool::Degenerated(edge)) continue;
-      const double near = std::max(kMinNear, 2 * BRep_Tool::Tolerance(edge));
+      const double near = std::max(least_, 2 * BRep_Tool::Tolerance(edge));
       Bnd_Box box;
       BRepBndLib::Add(edge, box);
       box.Enlarge(near);
@@ -112,7 +116,7 @@ class Divider {
       const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, from, to);
       const TopoDS_Vertex first = TopExp::FirstVertex(edge), last = TopExp::LastVertex(edge);
       std::vector<std::pair<double, TopoDS_Vertex>> cuts;
-      for (const TopoDS_Vertex& vertex : added_) {
+      for (const TopoDS_Vertex& vertex : vertices_) {
         const gp_Pnt p = BRep_Tool::Pnt(vertex);
         if (box.IsOut(p) || vertex.IsSame(first) || vertex.IsSame(last)) continue;
         const GeomAPI_ProjectPointOnCurve foot(p, curve, from, to);
@@ -139,21 +143,76 @@ class Divider {
     }
   }
 
-  // Returns the parts of an edge, in its direction.
+  // Replaces edges by others between the same vertices, if they are so near that nothing lies
+  // between them.
+  void joinEdges() {
+    TopTools_IndexedMapOfShape vertices;
+    std::map<std::pair<int, int>, std::vector<TopoDS_Edge>> kept;
+    for (int e = 1; e <= edges_.Extent(); ++e) {
+      const TopoDS_Edge& edge = TopoDS::Edge(edges_(e).Oriented(TopAbs_FORWARD));
+      if (BRep_Tool::Degenerated(edge)) continue;
+      if (parts_[e].empty()) parts_[e].push_back(edge);
+      for (TopoDS_Edge& part : parts_[e]) {
+        const int first = vertices.Add(TopExp::FirstVertex(part));
+        const int last = vertices.Add(TopExp::LastVertex(part));
+        if (first == last) continue;
+        auto& others = kept[std::minmax(first, last)];
+        const auto same = std::find_if(others.begin(), others.end(),
+                                       [&](TopoDS_Edge& other) { return join(part, other); });
+        if (same == others.end()) {
+          others.push_back(part);
+          continue;
+        }
+        const bool isReversed = vertices.FindIndex(TopExp::FirstVertex(*same)) != first;
+        part = TopoDS::Edge(same->Oriented(isReversed ? TopAbs_REVERSED : TopAbs_FORWARD));
+      }
+    }
+  }
+
+  // Returns whether an edge lies at another one, whose tolerance then contains it.
+  bool join(const TopoDS_Edge& edge, TopoDS_Edge& other) const {
+    constexpr int kPoints = 8;
+    constexpr double kNarrow = 0.05;  // times the distance of the vertices
+    double from, to, otherFrom, otherTo, largest = 0;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, from, to);
+    const Handle(Geom_Curve) along = BRep_Tool::Curve(other, otherFrom, otherTo);
+    const double most = std::min(least_, kNarrow * curve->Value(from).Distance(curve->Value(to)));
+    for (int i = 1; i < kPoints; ++i) {
+      const gp_Pnt p = curve->Value(from + (to - from) * i / kPoints);
+      const GeomAPI_ProjectPointOnCurve foot(p, along, otherFrom, otherTo);
+      if (foot.NbPoints() == 0 || foot.LowerDistance() > most) return false;
+      largest = std::max(largest, foot.LowerDistance());
+    }
+    builder_.UpdateEdge(other, largest + Precision::Confusion());
+    return true;
+  }
+
+  // Returns the parts of an edge, as it is turned.
   std::vector<TopoDS_Edge> partsOf(const TopoDS_Shape& edge) const {
-    const int e = edges_.FindIndex(edge);
-    if (!parts_[e].empty()) return parts_[e];
-    return {TopoDS::Edge(edges_(e).Oriented(TopAbs_FORWARD))};
+    std::vector<TopoDS_Edge> parts = parts_[edges_.FindIndex(edge)];
+    if (parts.empty()) return {TopoDS::Edge(edge)};  // degenerated
+    for (TopoDS_Edge& part : parts)
+      part.Orientation(TopAbs::Compose(part.Orientation(), edge.Orientation()));
+    return parts;
+  }
+
+  void addCurveOn(const TopoDS_Face& face, const TopoDS_Edge& edge) const {
+    double from, to;
+    if (BRep_Tool::CurveOnSurface(edge, face, from, to).IsNull())
+      BOPTools_AlgoTools2D::BuildPCurveForEdgeOnFace(edge, face, context_);
   }
 
   bool divide(std::size_t f, TopoDS_Compound& to) {
     const TopoDS_Face face = TopoDS::Face(faces_[f].Oriented(TopAbs_FORWARD));
     TopTools_ListOfShape edges;
+    TopTools_MapOfShape known;
     bool isCut = !inner_[f].empty();
     for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-      const std::vector<TopoDS_Edge> parts = partsOf(it.Current());
-      isCut = isCut || parts.size() > 1;
-      for (const TopoDS_Edge& part : parts) edges.Append(part.Oriented(it.Current().Orientation()));
+      for (const TopoDS_Edge& part : partsOf(it.Current())) {
+        isCut = isCut || !part.IsSame(it.Current());
+        if (known.Add(part)) addCurveOn(face, part);
+        edges.Append(part);
+      }
     }
     if (!isCut) {
       builder_.Add(to, faces_[f]);
@@ -161,7 +220,8 @@ class Divider {
     }
     for (const TopoDS_Edge& edge : inner_[f]) {
       for (const TopoDS_Edge& part : partsOf(edge)) {
-        BOPTools_AlgoTools2D::BuildPCurveForEdgeOnFace(part, face, context_);
+        if (!known.Add(part)) continue;
+        addCurveOn(face, part);
         edges.Append(part.Oriented(TopAbs_FORWARD));
         edges.Append(part.Oriented(TopAbs_REVERSED));
       }
@@ -182,8 +242,9 @@ class Divider {
   const Handle(IntTools_Context) context_ = new IntTools_Context;
   TopTools_IndexedMapOfShape edges_;
   std::vector<std::vector<TopoDS_Edge>> parts_;  // by edge; empty if it is not cut
-  std::vector<TopoDS_Vertex> vertices_, added_;
-  std::vector<double> near_;  // by vertex: a section that ends at this distance ends there
+  std::vector<TopoDS_Vertex> vertices_;
+  double least_ = kMinNear;
+  std::vector<double> near_;                     // by vertex: twice its tolerance
   std::vector<std::vector<TopoDS_Edge>> inner_;  // by face
 };
 

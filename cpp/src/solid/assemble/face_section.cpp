@@ -12,7 +12,7 @@ namespace {
 
 /// mm: shorter sections are left out.
 constexpr double kShortestSection = 1e-6;
-/// Fraction of the size of the edge. Between two points, a section is shorter, or Newton's method
+/// Fraction of the length of the edge. Between two points, a section is shorter, or Newton's method
 /// has found another part of the face.
 constexpr double kMaxJump = 0.3;
 
@@ -111,7 +111,7 @@ gp_Vec FaceSection::tangentAt(const State& at) const {
 
 bool FaceSection::solveNear(const State& known, State& to, double t) const {
   to = known;
-  const double most = kMaxJump * std::max(1e-3, profile_.box.size());
+  const double most = kMaxJump * std::max(1e-3, profile_.length);
   return solve(to, t) && pointAt(to).Distance(pointAt(known)) < most;
 }
 

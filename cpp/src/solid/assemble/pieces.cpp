@@ -68,8 +68,7 @@ std::vector<TopoDS_Face> Pieces::chosen() const {
   std::vector<TopoDS_Face> result;
   for (int f = 1; f <= faces_.Extent(); ++f) {
     if (!chosen_[f]) continue;
-    const bool isTurned = votes_[f].before > votes_[f].behind;
-    result.push_back(TopoDS::Face(isTurned ? faces_(f).Reversed() : faces_(f)));
+    result.push_back(TopoDS::Face(turned_[f] ? faces_(f).Reversed() : faces_(f)));
   }
   return result;
 }
@@ -114,42 +113,105 @@ bool Pieces::isInside(const TopoDS_Shape& cell) const {
   return 2 * inside > count;
 }
 
-int Pieces::uses(int e, int flipped) const {
+int Pieces::uses(int e) const {
   const TopoDS_Edge& edge = TopoDS::Edge(edges_.FindKey(e));
   if (BRep_Tool::Degenerated(edge)) return 0;
   int count = 0;
   TopTools_MapOfShape seen;
   for (const TopoDS_Shape& owner : edges_(e)) {
     const int f = faces_.FindIndex(owner);
-    const bool isChosen = (chosen_[f] != 0) != (f == flipped);
-    if (seen.Add(owner) && isChosen) count += BRep_Tool::IsClosed(edge, face(f)) ? 2 : 1;
+    if (seen.Add(owner) && chosen_[f]) count += BRep_Tool::IsClosed(edge, face(f)) ? 2 : 1;
   }
   return count;
 }
 
-int Pieces::openEdgesOf(int f, bool isFlipped) const {
-  int count = 0;
-  for (TopExp_Explorer it(faces_(f), TopAbs_EDGE); it.More(); it.Next())
-    count += uses(edges_.FindIndex(it.Current()), isFlipped ? f : 0) % 2;
-  return count;
+Chain Pieces::borderOf(int f) const {
+  TopTools_MapOfShape seen;
+  Chain border;
+  for (TopExp_Explorer it(faces_(f), TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    if (!seen.Add(edge) || BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, face(f)))
+      continue;
+    border.push_back(edges_.FindIndex(edge));
+  }
+  std::sort(border.begin(), border.end());
+  return border;
 }
 
 void Pieces::choose() {
-  constexpr int kMaxChanges = 200;
   chosen_.assign(faces_.Extent() + 1, 0);
+  turned_.assign(faces_.Extent() + 1, 0);
+  std::vector<std::pair<double, int>> costs;  // of inverting a choice
   for (int f = 1; f <= faces_.Extent(); ++f) {
     const Votes& votes = votes_[f];
-    chosen_[f] = std::max(votes.behind, votes.before) > votes.both + votes.none;
+    const int yes = std::max(votes.behind, votes.before), no = votes.both + votes.none;
+    chosen_[f] = yes > no;
+    turned_[f] = votes.before > votes.behind;
+    if (isUnanimous(f) && !isNarrow(f)) continue;
+    GProp_GProps area;
+    BRepGProp::SurfaceProperties(faces_(f), area);
+    costs.emplace_back(std::abs(area.Mass()) * (1 + std::abs(yes - no)), f);
   }
-  for (int changes = 0, before = -1; changes != before && changes < kMaxChanges;) {
-    before = changes;
+  std::sort(costs.begin(), costs.end());
+  std::vector<int> doubtful;
+  for (const auto& [cost, f] : costs) doubtful.push_back(f);
+  closeWith(doubtful);
+  dropBubbles(doubtful);
+  orient();
+}
+
+void Pieces::closeWith(const std::vector<int>& doubtful) {
+  Chain open;
+  for (int e = 1; e <= edges_.Extent(); ++e) {
+    if (uses(e) % 2 == 1) open.push_back(e);
+  }
+  if (open.empty()) return;
+  ChainBasis basis;
+  for (const int f : doubtful) basis.add(borderOf(f), f);
+  const std::vector<int> inverted = basis.reduce(open);
+  if (!open.empty()) return;
+  for (const int f : inverted) chosen_[f] = !chosen_[f];
+}
+
+void Pieces::dropBubbles(const std::vector<int>& doubtful) {
+  ChainBasis basis;
+  for (const int f : doubtful) {
+    if (!chosen_[f] || !isNarrow(f)) continue;
+    const std::vector<int> others = basis.add(borderOf(f), f);
+    const bool isBubble = !others.empty() && std::all_of(others.begin(), others.end(),
+                                                         [&](int g) { return chosen_[g] != 0; });
+    if (!isBubble) continue;
+    chosen_[f] = 0;
+    for (const int g : others) chosen_[g] = 0;
+  }
+}
+
+void Pieces::orient() {
+  std::vector<char> isKnown(chosen_.size());
+  for (int f = 1; f <= faces_.Extent(); ++f)
+    isKnown[f] = chosen_[f] && (isUnanimous(f) || !isNarrow(f));
+  const auto orientationIn = [&](int f, const TopoDS_Shape& edge) {
+    const TopoDS_Shape turned = turned_[f] ? faces_(f).Reversed() : faces_(f);
+    for (TopExp_Explorer it(turned, TopAbs_EDGE); it.More(); it.Next()) {
+      if (it.Current().IsSame(edge)) return it.Current().Orientation();
+    }
+    return TopAbs_EXTERNAL;
+  };
+  for (bool isChanged = true; isChanged;) {
+    isChanged = false;
     for (int f = 1; f <= faces_.Extent(); ++f) {
-      const int open = openEdgesOf(f, false);
-      if (open == 0) continue;
-      const int left = openEdgesOf(f, true);
-      if (left >= open || (left > 0 && isUnanimous(f) && !isNarrow(f))) continue;
-      chosen_[f] = !chosen_[f];
-      ++changes;
+      if (!chosen_[f] || isKnown[f]) continue;
+      for (const int e : borderOf(f)) {
+        if (uses(e) != 2) continue;
+        const TopoDS_Shape& edge = edges_.FindKey(e);
+        for (const TopoDS_Shape& owner : edges_(e)) {
+          const int g = faces_.FindIndex(owner);
+          if (g == f || !chosen_[g] || !isKnown[g] || isKnown[f]) continue;
+          if (orientationIn(f, edge) == orientationIn(g, edge)) turned_[f] = !turned_[f];
+          isKnown[f] = 1;
+          isChanged = true;
+        }
+      }
     }
   }
 }

@@ -14,6 +14,7 @@
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
+#include "solid/assemble/chains.h"
 #include "solid/assemble/sides.h"
 
 namespace swept::step {
@@ -45,14 +46,22 @@ class Pieces {
 
   bool isInside(const TopoDS_Shape& cell) const;
 
-  // Returns how often chosen pieces use the edge. `flipped`: a piece whose choice is inverted.
-  int uses(int e, int flipped = 0) const;
+  // Returns how often chosen pieces use the edge.
+  int uses(int e) const;
 
-  int openEdgesOf(int f, bool isFlipped) const;
+  // Returns the edges that a piece uses an odd number of times.
+  Chain borderOf(int f) const;
 
   // Chooses pieces by their votes. The samples cannot judge pieces that are narrower than their
-  // distance. So choices are inverted where this leaves fewer open edges.
+  // distance. So some choices are inverted, to close the surface.
   void choose();
+  // Inverts the choice of some of the pieces, so that no edge is open. Prefers pieces at the front.
+  // Does nothing if that is not possible.
+  void closeWith(const std::vector<int>& doubtful);
+  // Drops pieces that form a closed surface on their own.
+  void dropBubbles(const std::vector<int>& doubtful);
+  // Turns pieces without votes as their neighbours are turned.
+  void orient();
 
   bool isUnanimous(int f) const;
   bool isNarrow(int f) const;
@@ -61,8 +70,8 @@ class Pieces {
   const Sides& sides_;
   TopTools_IndexedMapOfShape faces_;
   TopTools_IndexedDataMapOfShapeListOfShape edges_;
-  std::vector<Votes> votes_;  // by piece, from 1
-  std::vector<char> chosen_;
+  std::vector<Votes> votes_;           // by piece, from 1
+  std::vector<char> chosen_, turned_;  // by piece, from 1
 };
 
 }  // namespace swept::step

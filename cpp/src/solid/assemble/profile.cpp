@@ -50,17 +50,18 @@ std::optional<Crossing> refined(const Profile& a, const Profile& b, Crossing at,
 // end instead.
 Crossing atCommonEnd(const Profile& a, const Profile& b, const Crossing& at,
                      const Projection& projection) {
-  constexpr double kTangent = 0.05, kNear = 1e-3, kCommon = 1e-6;
+  constexpr double kTangent = 0.05, kNear = 1e-3, kSame = 1e-5, kCommon = 1e-6;
   gp_Pnt p, q;
   gp_Vec alongA, alongB;
   a.curve.D1(at.a, p, alongA);
   b.curve.D1(at.b, q, alongB);
   const gp_Vec2d u = projection.of(alongA), v = projection.of(alongB);
-  if (std::abs(u.Crossed(v)) > kTangent * u.Magnitude() * v.Magnitude()) return at;
+  const bool isTangent = std::abs(u.Crossed(v)) <= kTangent * u.Magnitude() * v.Magnitude();
+  const double near = isTangent ? kNear : kSame;
   const gp_Pnt2d seen = projection.of(p);
   for (const bool lastA : {false, true}) {
     const gp_Pnt2d& endA = lastA ? a.corners.back() : a.corners.front();
-    if (endA.Distance(seen) > kNear) continue;
+    if (endA.Distance(seen) > near) continue;
     for (const bool lastB : {false, true}) {
       const gp_Pnt2d& endB = lastB ? b.corners.back() : b.corners.front();
       if (endA.Distance(endB) < kCommon)
@@ -125,6 +126,7 @@ Profile::Profile(const TopoDS_Edge& e, const Projection& projection) : edge(e), 
     parameters.push_back(points.Parameter(i));
     corners.push_back(projection.of(points.Value(i)));
     box.add(corners.back());
+    if (i > 1) length += points.Value(i).Distance(points.Value(i - 1));
   }
 }
 

@@ -39,7 +39,6 @@ struct ProfileBox {
   void add(const gp_Pnt2d& p);
   void add(const ProfileBox& box);
   bool overlaps(const ProfileBox& box) const;
-  double size() const { return low.Distance(high); }
 };
 
 /// An edge seen along the move.
@@ -56,6 +55,7 @@ struct Profile {
   std::vector<double> parameters;  ///< of the corners of a polyline near the curve
   std::vector<gp_Pnt2d> corners;
   ProfileBox box;
+  double length = 0;  ///< of the edge itself
 };
 
 struct Crossing {

@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// At most this many points are examined, the farthest first. The others count with their distance:
-/// if most of the mesh lies elsewhere, it belongs to another motion.
-constexpr std::size_t kMaxExamined = 20000;
+/// At most this many points are examined, the farthest first. The others count with their distance.
+constexpr std::size_t kMaxExamined = 200000, kExaminedAtOnce = 4096;
+/// If more of the mesh lies elsewhere, it belongs to another motion.
 constexpr double kMaxFraction = 0.1;
 constexpr std::size_t kBlock = 256;
 
@@ -61,27 +61,34 @@ bool passes(const SweptInterior& sweep, const Vector3d& centre, const Vector3d& 
 }  // namespace
 
 double sweepDeviation(const TriMesh& solid, const std::vector<Vector3d>& points,
-                      const SweptInterior& sweep, double accuracy) {
+                      const SweptInterior& sweep, double accuracy, double tolerance) {
   std::vector<FootPoint> feet = feetOf(points, solid);
   std::sort(feet.begin(), feet.end(), [](const FootPoint& a, const FootPoint& b) {
     return a.distance != b.distance ? a.distance > b.distance : a.point < b.point;
   });
-  const std::size_t examined = std::min(
-      kMaxExamined, static_cast<std::size_t>(kMaxFraction * static_cast<double>(feet.size())));
-  parallelBlocks(examined, 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const FootPoint& foot = feet[i];
-      const Vector3d along = (points[foot.point] - foot.foot).normalized();
-      for (double radius = accuracy; radius < foot.distance; radius *= 2) {
-        if (!passes(sweep, foot.foot, along, radius)) continue;
-        feet[i].distance = radius;
-        break;
-      }
+  const auto examine = [&](FootPoint& foot) {
+    const Vector3d along = (points[foot.point] - foot.foot).normalized();
+    for (double radius = accuracy; radius < foot.distance; radius *= 2) {
+      if (!passes(sweep, foot.foot, along, radius)) continue;
+      foot.distance = radius;
+      break;
     }
-  });
-  double largest = 0;
-  for (const FootPoint& foot : feet) largest = std::max(largest, foot.distance);
-  return largest;
+  };
+  const auto far = std::partition_point(
+      feet.begin(), feet.end(), [&](const FootPoint& foot) { return foot.distance > tolerance; });
+  const auto fraction = static_cast<std::size_t>(kMaxFraction * static_cast<double>(feet.size()));
+  const bool isElsewhere = far - feet.begin() > static_cast<std::ptrdiff_t>(fraction);
+  const std::size_t most = std::min(feet.size(), isElsewhere ? fraction : kMaxExamined);
+  double examinedLargest = 0;
+  std::size_t begin = 0;
+  while (begin < most && feet[begin].distance > examinedLargest) {
+    const std::size_t end = std::min(most, begin + kExaminedAtOnce);
+    parallelBlocks(end - begin, 16, [&](std::size_t from, std::size_t until) {
+      for (std::size_t i = begin + from; i < begin + until; ++i) examine(feet[i]);
+    });
+    for (; begin < end; ++begin) examinedLargest = std::max(examinedLargest, feet[begin].distance);
+  }
+  return begin < feet.size() ? std::max(examinedLargest, feet[begin].distance) : examinedLargest;
 }
 
 }  // namespace swept::step

@@ -1,12 +1,11 @@
 // Measures how far a solid deviates from the swept volume itself, not from the mesh: along creases
 // and on coarse grids, the mesh is less accurate than the solid.
 // Units:   mm.
-// Cost:    O(log n) for a point near the solid; some 20 queries of swept_interior.h for each of the
-//          others, which are at most a tenth of the points and at most 20,000.
+// Cost:    O(log n) for a point near the solid; 2 to 20 queries of swept_interior.h for each of the
+//          others, at most 200,000 points.
 // Method:  at a point of the mesh that lies off the solid, either the mesh is wrong or the solid.
-// The
-//          solid is right if the surface of the swept volume passes its nearest point: some points
-//          around it lie inside, others outside. The radius within which this holds is the
+//          The solid is right if the surface of the swept volume passes its nearest point: some
+//          points around it lie inside, others outside. The radius within which this holds is the
 //          deviation there.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -21,8 +20,9 @@ namespace swept::step {
 
 /// Returns the largest deviation found. `solid`: triangles of its faces. `points`: on or near the
 /// surface of the swept volume, such as the vertices of its mesh. `accuracy`: the smallest radius
-/// that is tried.
+/// that is tried. If more than a tenth of the points are farther off than the tolerance, the result
+/// is larger than it.
 double sweepDeviation(const TriMesh& solid, const std::vector<Eigen::Vector3d>& points,
-                      const SweptInterior& sweep, double accuracy);
+                      const SweptInterior& sweep, double accuracy, double tolerance);
 
 }  // namespace swept::step

@@ -115,8 +115,8 @@ class KernelJudge : public Judge {
     constexpr double kDeflection = 0.5;  // of the accuracy
     constexpr double kAngle = 0.5;       // rad; the deflection demands more
     const ShapeTriangles triangles(read, kDeflection * sides.distance(), kAngle);
-    assembly.deviation =
-        sweepDeviation(triangles.of(read), mesh.points, sides.interior(), sides.distance());
+    assembly.deviation = sweepDeviation(triangles.of(read), mesh.points, sides.interior(),
+                                        sides.distance(), options.tolerance);
     for (TopExp_Explorer it(read, TopAbs_FACE); it.More(); it.Next())
       ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];
     return assembly;
