@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include "judge/solid_judge.h"
@@ -227,6 +228,26 @@ TEST_F(BodySolid, ACoarseMeshDoesNotRefuseIt) {
 }
 
 // A solid of another motion is found out: its surfaces are then recognised in the mesh.
+// Parts with fillets: sections that begin where a face runs along the move, cusps of contact
+// curves, and slivers between faces that are nearly tangent.
+TEST_F(BodySolid, PartsOfRealMachinesAlongALine) {
+  for (const auto& [name, faces] :
+       {std::pair("printer_extruder_idler", 170), std::pair("robot_lower_leg_fork", 200)}) {
+    const std::string part = std::string(SWEPT_SHARED_DATA "/cad/") + name + ".step";
+    if (!std::filesystem::exists(part)) GTEST_SKIP() << "shared test data not found: " << part;
+    readBodyFrom(part);
+    sweep({{0, 0, 0}, {19.573170447598564, 10.73367411642502, 52.405585391957445}}, none_);
+    const SolidOptions options = optionsWithOrigin();
+    const WrittenSolid report = write(options);
+    EXPECT_EQ(kinds_["facet"], 0) << name;
+    EXPECT_LE(report.faces, faces) << name;
+    EXPECT_LE(report.deviation, 0.02) << name;
+    EXPECT_LE(report.edgeTolerance, 1e-3) << name;
+    EXPECT_TRUE(judged_.valid) << name;
+    EXPECT_LE(judged_.blockError, 1e-7) << name;
+  }
+}
+
 TEST_F(BodySolid, AnotherMotionIsRefused) {
   readBodyOf(boxMesh(12, 8, 5));
   sweep({{0, 0, 0}, {7, 4, 9}}, none_);

@@ -158,7 +158,9 @@ bool FaceSection::snapToEnd(State& at, const End& end) const {
   if (end.border.empty()) return false;
   const gp_Pnt p = pointAt(at);
   const BorderPoint& nearest = nearestBorder(end, p);
-  if (nearest.at.Distance(p) >= snapDistance(at, nearest.tolerance)) return false;
+  constexpr double kMaxSnap = 0.02;  // mm
+  if (nearest.at.Distance(p) >= std::min(kMaxSnap, snapDistance(at, nearest.tolerance)))
+    return false;
   at = stateAt(nearest, end.t, at);
   return true;
 }

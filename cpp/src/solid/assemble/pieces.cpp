@@ -2,6 +2,8 @@
 #include "solid/assemble/pieces.h"
 
 #include <BOPAlgo_MakerVolume.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -10,6 +12,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
 
@@ -28,17 +31,43 @@ Pieces::Pieces(const TopoDS_Shape& fused, const Sides& sides) : fused_(fused), s
   TopExp::MapShapesAndAncestors(fused, TopAbs_EDGE, TopAbs_FACE, edges_);
   votes_.resize(faces_.Extent() + 1);
   parallelBlocks(faces_.Extent(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin + 1; f <= end; ++f) {
+    for (int f = static_cast<int>(begin) + 1; f <= static_cast<int>(end); ++f) {
       // Few points of a fine grid lie in a piece that fills little of its range of parameters.
+      const TopoDS_Face piece = face(f);
       for (const int count : {9, 100, 1000}) {
-        votes_[f] = {};
-        for (const FaceSample& sample : samplesOf(face(static_cast<int>(f)), count))
-          sides_.vote(sample, votes_[f]);
+        votes_[f] = votesOf(samplesOf(piece, count));
         if (votes_[f].count() >= kMinSamples) break;
       }
+      if (isUnanimous(f)) continue;
+      // Next to the border, another face may lie between a sample and the piece.
+      const Votes inner = votesOf(samplesInside(piece));
+      if (inner.count() >= kMinSamples) votes_[f] = inner;
     }
   });
   choose();
+}
+
+Votes Pieces::votesOf(const std::vector<FaceSample>& samples) const {
+  Votes votes;
+  for (const FaceSample& sample : samples) sides_.vote(sample, votes);
+  return votes;
+}
+
+std::vector<FaceSample> Pieces::samplesInside(const TopoDS_Face& piece) const {
+  constexpr int kSamples = 100;
+  constexpr double kBorder = 10;  // times the distance of the samples
+  std::vector<FaceSample> samples = samplesOf(piece, kSamples);
+  const auto isAtBorder = [&](const FaceSample& sample) {
+    const TopoDS_Vertex vertex = BRepBuilderAPI_MakeVertex(sample.point);
+    for (TopExp_Explorer edge(piece, TopAbs_EDGE); edge.More(); edge.Next()) {
+      if (BRep_Tool::Degenerated(TopoDS::Edge(edge.Current()))) continue;
+      const BRepExtrema_DistShapeShape distance(vertex, edge.Current());
+      if (distance.IsDone() && distance.Value() < kBorder * sides_.distance()) return true;
+    }
+    return false;
+  };
+  samples.erase(std::remove_if(samples.begin(), samples.end(), isAtBorder), samples.end());
+  return samples;
 }
 
 std::vector<TopoDS_Face> Pieces::aroundCells() const {

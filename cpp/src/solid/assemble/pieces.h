@@ -44,6 +44,10 @@ class Pieces {
  private:
   TopoDS_Face face(int f) const { return TopoDS::Face(faces_(f)); }
 
+  Votes votesOf(const std::vector<FaceSample>& samples) const;
+  // Returns samples of a piece that are not next to its border.
+  std::vector<FaceSample> samplesInside(const TopoDS_Face& piece) const;
+
   bool isInside(const TopoDS_Shape& cell) const;
 
   // Returns how often chosen pieces use the edge.

@@ -46,26 +46,55 @@ std::optional<Crossing> refined(const Profile& a, const Profile& b, Crossing at,
   return std::nullopt;
 }
 
-// Two curves that are tangent at a common end have no certain crossing near it. Returns the common
-// end instead.
+// Returns how far the curves are apart between two crossings, at most.
+double distanceBetween(const Profile& a, const Profile& b, const Crossing& from, const Crossing& to,
+                       const Projection& projection) {
+  constexpr int kRounds = 5;
+  double largest = 0;
+  for (const double w : {0.25, 0.5, 0.75}) {
+    const gp_Pnt2d p = projection.of(a.curve.Value(from.a + w * (to.a - from.a)));
+    double t = from.b + w * (to.b - from.b), distance = 0;
+    for (int round = 0; round < kRounds; ++round) {
+      gp_Pnt q;
+      gp_Vec along;
+      b.curve.D1(t, q, along);
+      const gp_Vec2d off(projection.of(q), p), slope = projection.of(along);
+      distance = off.Magnitude();
+      if (slope.SquareMagnitude() <= gp::Resolution()) break;
+      t = std::clamp(t + off.Dot(slope) / slope.SquareMagnitude(), b.from(), b.to());
+    }
+    largest = std::max(largest, distance);
+  }
+  return largest;
+}
+
+// Two curves that are tangent at a common end have no certain crossing near it, as edges of bodies
+// from files are not exact. Returns the common end instead.
 Crossing atCommonEnd(const Profile& a, const Profile& b, const Crossing& at,
                      const Projection& projection) {
-  constexpr double kTangent = 0.05, kNear = 1e-3, kSame = 1e-5, kCommon = 1e-6;
+  constexpr double kTangent = 0.05, kCommon = 1e-6;
+  constexpr double kNear = 1e-3, kTangentNear = 0.3, kAtEnd = 1e-5, kSame = 2e-4;  // mm
   gp_Pnt p, q;
   gp_Vec alongA, alongB;
   a.curve.D1(at.a, p, alongA);
   b.curve.D1(at.b, q, alongB);
   const gp_Vec2d u = projection.of(alongA), v = projection.of(alongB);
   const bool isTangent = std::abs(u.Crossed(v)) <= kTangent * u.Magnitude() * v.Magnitude();
-  const double near = isTangent ? kNear : kSame;
   const gp_Pnt2d seen = projection.of(p);
   for (const bool lastA : {false, true}) {
     const gp_Pnt2d& endA = lastA ? a.corners.back() : a.corners.front();
-    if (endA.Distance(seen) > near) continue;
+    const double distance = endA.Distance(seen);
+    if (distance > (isTangent ? kTangentNear : kNear)) continue;
     for (const bool lastB : {false, true}) {
       const gp_Pnt2d& endB = lastB ? b.corners.back() : b.corners.front();
-      if (endA.Distance(endB) < kCommon)
-        return {lastA ? a.to() : a.from(), lastB ? b.to() : b.from()};
+      const Crossing end{lastA ? a.to() : a.from(), lastB ? b.to() : b.from()};
+      const TopoDS_Vertex vertex = a.endVertex(lastA);
+      const bool isCommon =
+          endA.Distance(endB) < kCommon || (!vertex.IsNull() && vertex.IsSame(b.endVertex(lastB)));
+      if (!isCommon) continue;
+      if (distance <= (isTangent ? kNear : kAtEnd)) return end;
+      const double same = vertex.IsNull() ? kSame : kSame + 2 * BRep_Tool::Tolerance(vertex);
+      if (isTangent && distanceBetween(a, b, end, at, projection) < same) return end;
     }
   }
   return at;
@@ -135,11 +164,15 @@ bool Profile::isEnd(double t) const {
   return t - from() < least || to() - t < least;
 }
 
-gp_Pnt Profile::pointAt(double t) const {
-  if (!isEnd(t)) return curve.Value(t);
+TopoDS_Vertex Profile::endVertex(bool isLast) const {
   TopoDS_Vertex first, last;
   TopExp::Vertices(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)), first, last);
-  const TopoDS_Vertex& vertex = 2 * t < from() + to() ? first : last;
+  return isLast ? last : first;
+}
+
+gp_Pnt Profile::pointAt(double t) const {
+  if (!isEnd(t)) return curve.Value(t);
+  const TopoDS_Vertex vertex = endVertex(2 * t > from() + to());
   return vertex.IsNull() ? curve.Value(t) : BRep_Tool::Pnt(vertex);
 }
 

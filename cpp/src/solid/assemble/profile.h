@@ -7,6 +7,7 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pnt2d.hxx>
 #include <gp_Vec.hxx>
@@ -47,6 +48,8 @@ struct Profile {
   double from() const { return parameters.front(); }
   double to() const { return parameters.back(); }
   bool isEnd(double t) const;
+  /// Returns the vertex at the first or last parameter. May be null.
+  TopoDS_Vertex endVertex(bool isLast) const;
   /// Returns the point at a parameter: at the ends, that of the vertex.
   gp_Pnt pointAt(double t) const;
 
