@@ -237,14 +237,12 @@ TEST_F(BodySolid, PartsOfRealMachinesAlongALine) {
     if (!std::filesystem::exists(part)) GTEST_SKIP() << "shared test data not found: " << part;
     readBodyFrom(part);
     sweep({{0, 0, 0}, {19.573170447598564, 10.73367411642502, 52.405585391957445}}, none_);
-    const SolidOptions options = optionsWithOrigin();
-    const WrittenSolid report = write(options);
-    EXPECT_EQ(kinds_["facet"], 0) << name;
+    const std::string file = folder_.file("envelope.brep");
+    const WrittenSolid report = writeSolid(result_.mesh, file, optionsWithOrigin(), run_);
+    for (const auto& [kind, count] : report.facesByKind) EXPECT_NE(kind, "facet") << name;
     EXPECT_LE(report.faces, faces) << name;
     EXPECT_LE(report.deviation, 0.02) << name;
     EXPECT_LE(report.edgeTolerance, 1e-3) << name;
-    EXPECT_TRUE(judged_.valid) << name;
-    EXPECT_LE(judged_.blockError, 1e-7) << name;
   }
 }
 
