@@ -129,8 +129,16 @@ class Divider {
                 [](const auto& a, const auto& b) { return a.first < b.first; });
       double at = from;
       TopoDS_Vertex vertex = first;
+      const auto isShort = [&](double t, double u) {
+        constexpr double kShortestPart = 1e-5;  // mm; vertices of two bodies may lie at one place
+        return curve->Value(t).Distance(curve->Value(u)) < kShortestPart;
+      };
+      cuts.erase(std::remove_if(cuts.begin(), cuts.end(),
+                                [&](const auto& cut) { return isShort(cut.first, to); }),
+                 cuts.end());
       cuts.emplace_back(to, last);
       for (const auto& [next, end] : cuts) {
+        if (next != to && isShort(at, next)) continue;
         TopoDS_Edge part;
         BOPTools_AlgoTools::MakeSplitEdge(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)),
                                           TopoDS::Vertex(vertex.Oriented(TopAbs_FORWARD)), at,
@@ -143,8 +151,8 @@ class Divider {
     }
   }
 
-  // Replaces edges by others between the same vertices, if they are so near that nothing lies
-  // between them.
+  // Replaces edges by others between the same vertices, if they are so near that nothing
+  // lies between them.
   void joinEdges() {
     TopTools_IndexedMapOfShape vertices;
     std::map<std::pair<int, int>, std::vector<TopoDS_Edge>> kept;

@@ -180,6 +180,13 @@ std::vector<SweptSection> sectionsOf(const SweepingParts& sources, const Move& m
   return sections;
 }
 
+// Solids of an assembly may have faces at one place. The sections are not meant for these.
+bool isOneSolid(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape solids;
+  TopExp::MapShapes(shape, TopAbs_SOLID, solids);
+  return solids.Extent() <= 1;
+}
+
 // Returns nothing if a step is of another kind.
 std::optional<std::vector<Move>> movesOf(const Trajectory& trajectory) {
   if (trajectory.interpolation == Interpolation::None || trajectory.poses.size() < 2)
@@ -223,7 +230,7 @@ SweptFaces sweptFaces(const BodyShape& body, const Trajectory& trajectory, const
     SweepingParts sources;
     if (!appendStep(posed, moves[k], static_cast<int>(k), isFirst, faces.faces, sources, range))
       return {};
-    if (isSingle && moves[k].angle == 0) {
+    if (isSingle && moves[k].angle == 0 && isOneSolid(body.shape)) {
       try {
         faces.sections = sectionsOf(sources, moves[k], sides);
       } catch (const Standard_Failure&) {

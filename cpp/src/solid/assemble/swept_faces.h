@@ -35,7 +35,8 @@ struct SweptFace {
 
 struct SweptFaces {
   std::vector<SweptFace> faces;
-  /// If the motion is one straight move: the curves in which the faces intersect. Empty otherwise.
+  /// If the motion is one straight move and the body one solid: the curves in which the faces
+  /// intersect. Empty otherwise.
   std::vector<SweptSection> sections;
 };
 
