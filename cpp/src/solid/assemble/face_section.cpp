@@ -158,7 +158,8 @@ bool FaceSection::snapToEnd(State& at, const End& end) const {
   if (end.border.empty()) return false;
   const gp_Pnt p = pointAt(at);
   const BorderPoint& nearest = nearestBorder(end, p);
-  constexpr double kMaxSnap = 0.02;  // mm
+  // mm: along a fillet with a radius of 2 mm, errors of 1e-4 mm hide that much of a section.
+  constexpr double kMaxSnap = 0.02;
   if (nearest.at.Distance(p) >= std::min(kMaxSnap, snapDistance(at, nearest.tolerance)))
     return false;
   at = stateAt(nearest, end.t, at);

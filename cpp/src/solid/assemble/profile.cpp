@@ -72,8 +72,11 @@ double distanceBetween(const Profile& a, const Profile& b, const Crossing& from,
 // from files are not exact. Returns the common end instead.
 Crossing atCommonEnd(const Profile& a, const Profile& b, const Crossing& at,
                      const Projection& projection) {
-  constexpr double kTangent = 0.05, kCommon = 1e-6;
-  constexpr double kNear = 1e-3, kTangentNear = 0.3, kAtEnd = 1e-5, kSame = 2e-4;  // mm
+  constexpr double kTangent = 0.05;  // sine
+  // mm: distances of the crossing from the common end. At a cusp, nothing is tangent.
+  constexpr double kAtEnd = 1e-5, kNear = 1e-3, kTangentNear = 0.3;
+  // mm: distances of points that are the same, and of curves that cross by errors of the file only.
+  constexpr double kCommon = 1e-6, kSame = 2e-4;
   gp_Pnt p, q;
   gp_Vec alongA, alongB;
   a.curve.D1(at.a, p, alongA);
