@@ -38,6 +38,8 @@ namespace {
 /// they are nearly tangent. Of CAD parts along a line, a pulley has 610 such pairs (4 s), a leg of
 /// a robot 2,900 (over 2 minutes, and then the faces did not fit together).
 constexpr std::size_t kMaxCurvedPairs = 1500;
+/// The same, if dividing at known sections has failed: the part has faces that are nearly tangent.
+constexpr std::size_t kMaxDifficultPairs = 700;
 
 // The faces of which the envelope may consist: those in use, and those put aside.
 class Candidates {
@@ -226,7 +228,8 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
     }
   }
   Candidates candidates(faces.faces, sides);
-  if (candidates.curvedPairs() > kMaxCurvedPairs) return {};
+  if (candidates.curvedPairs() > (faces.sections.empty() ? kMaxCurvedPairs : kMaxDifficultPairs))
+    return {};
   TopTools_ListOfShape arguments = candidates.used();
   std::size_t before = 0;  // open edges of the previous round
   for (int round = 0; round < kRounds; ++round) {
