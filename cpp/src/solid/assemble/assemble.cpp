@@ -6,7 +6,6 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
-#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
@@ -135,15 +134,8 @@ TopoDS_Shape fused(const TopTools_ListOfShape& arguments, const Message_Progress
 }
 
 TopoDS_Shape dividedAtSections(const SweptFaces& given) {
-  // Dividing raises tolerances. The general fuse may need the faces as they were.
-  const BRep_Builder builder;
-  TopoDS_Compound all;
-  builder.MakeCompound(all);
-  for (const SweptFace& face : given.faces) builder.Add(all, face.face);
-  BRepBuilderAPI_Copy copy(all, Standard_False);
   std::vector<TopoDS_Face> faces;
-  for (const SweptFace& face : given.faces)
-    faces.push_back(TopoDS::Face(copy.ModifiedShape(face.face)));
+  for (const SweptFace& face : given.faces) faces.push_back(face.face);
   try {
     return divideFaces(faces, given.sections);
   } catch (const Standard_Failure&) {

@@ -5,6 +5,7 @@
 #include <BOPTools_AlgoTools.hxx>
 #include <BOPTools_AlgoTools2D.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
@@ -249,7 +250,7 @@ class Divider {
   const BRep_Builder builder_{};
   const Handle(IntTools_Context) context_ = new IntTools_Context;
   TopTools_IndexedMapOfShape edges_;
-  std::vector<std::vector<TopoDS_Edge>> parts_;  // by edge; empty if it is not cut
+  std::vector<std::vector<TopoDS_Edge>> parts_;  // by edge; empty if it is degenerated
   std::vector<TopoDS_Vertex> vertices_;
   double least_ = kMinNear;
   std::vector<double> near_;                     // by vertex: twice its tolerance
@@ -260,7 +261,15 @@ class Divider {
 
 TopoDS_Shape divideFaces(const std::vector<TopoDS_Face>& faces,
                          const std::vector<SweptSection>& sections) {
-  Divider divider(faces);
+  // Dividing raises tolerances of edges and vertices, which the copies do not share.
+  const BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (const TopoDS_Face& face : faces) builder.Add(all, face);
+  BRepBuilderAPI_Copy copy(all, Standard_False);
+  std::vector<TopoDS_Face> copies;
+  for (const TopoDS_Face& face : faces) copies.push_back(TopoDS::Face(copy.ModifiedShape(face)));
+  Divider divider(copies);
   for (const SweptSection& section : sections) divider.add(section);
   return divider.divide();
 }

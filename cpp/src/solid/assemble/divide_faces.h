@@ -20,8 +20,8 @@ struct SweptSection {
   std::vector<int> faces;  ///< indices of the faces on which it lies
 };
 
-/// Returns a compound of the pieces. A face that the kernel cannot divide stays in one piece. May
-/// throw Standard_Failure.
+/// Returns a compound of the pieces; the given faces stay as they are. A face that the kernel
+/// cannot divide stays in one piece. May throw Standard_Failure.
 TopoDS_Shape divideFaces(const std::vector<TopoDS_Face>& faces,
                          const std::vector<SweptSection>& sections);
 

@@ -285,16 +285,8 @@ std::optional<TopoDS_Edge> FaceSection::between(const End& from, const End& to,
 
 bool FaceSection::isOn(const gp_Pnt& p, const State& a, const State& b) const {
   constexpr int kRounds = 8;
-  double t = (a.t + b.t) / 2;
   const gp_Pnt2d seen = projection_.of(p);
-  for (int round = 0; round < kRounds; ++round) {
-    gp_Pnt c;
-    gp_Vec along;
-    profile_.curve.D1(t, c, along);
-    const gp_Vec2d off(projection_.of(c), seen), slope = projection_.of(along);
-    if (slope.SquareMagnitude() <= gp::Resolution()) break;
-    t = std::clamp(t + off.Dot(slope) / slope.SquareMagnitude(), profile_.from(), profile_.to());
-  }
+  const double t = profile_.footOf(seen, (a.t + b.t) / 2, projection_);
   if (projection_.of(profile_.curve.Value(t)).Distance(seen) > kCurveBound) return false;
   double u = (a.u + b.u) / 2, v = (a.v + b.v) / 2;
   for (int round = 0; round < kRounds; ++round) {

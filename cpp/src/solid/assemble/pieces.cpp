@@ -30,6 +30,8 @@ Pieces::Pieces(const TopoDS_Shape& fused, const Sides& sides) : fused_(fused), s
   TopExp::MapShapes(fused, TopAbs_FACE, faces_);
   TopExp::MapShapesAndAncestors(fused, TopAbs_EDGE, TopAbs_FACE, edges_);
   votes_.resize(faces_.Extent() + 1);
+  area_.resize(votes_.size());
+  narrow_.resize(votes_.size());
   parallelBlocks(faces_.Extent(), 1, [&](std::size_t begin, std::size_t end) {
     for (int f = static_cast<int>(begin) + 1; f <= static_cast<int>(end); ++f) {
       // Few points of a fine grid lie in a piece that fills little of its range of parameters.
@@ -38,7 +40,8 @@ Pieces::Pieces(const TopoDS_Shape& fused, const Sides& sides) : fused_(fused), s
         votes_[f] = votesOf(samplesOf(piece, count));
         if (votes_[f].count() >= kMinSamples) break;
       }
-      if (isUnanimous(f)) continue;
+      measure(f);
+      if (isUnanimous(f) || votes_[f].count() < kMinSamples) continue;
       // Next to the border, another face may lie between a sample and the piece.
       const Votes inner = votesOf(samplesInside(piece));
       if (inner.count() >= kMinSamples) votes_[f] = inner;
@@ -176,10 +179,8 @@ void Pieces::choose() {
     const int yes = std::max(votes.behind, votes.before), no = votes.both + votes.none;
     chosen_[f] = yes > no;
     turned_[f] = votes.before > votes.behind;
-    if (isUnanimous(f) && !isNarrow(f)) continue;
-    GProp_GProps area;
-    BRepGProp::SurfaceProperties(faces_(f), area);
-    costs.emplace_back(std::abs(area.Mass()) * (1 + std::abs(yes - no)), f);
+    if (!isDoubtful(f)) continue;
+    costs.emplace_back(area_[f] * (1 + std::abs(yes - no)), f);
   }
   std::sort(costs.begin(), costs.end());
   std::vector<int> doubtful;
@@ -205,7 +206,7 @@ void Pieces::closeWith(const std::vector<int>& doubtful) {
 void Pieces::dropBubbles(const std::vector<int>& doubtful) {
   ChainBasis basis;
   for (const int f : doubtful) {
-    if (!chosen_[f] || !isNarrow(f)) continue;
+    if (!chosen_[f] || !narrow_[f]) continue;
     const std::vector<int> others = basis.add(borderOf(f), f);
     const bool isBubble = !others.empty() && std::all_of(others.begin(), others.end(),
                                                          [&](int g) { return chosen_[g] != 0; });
@@ -218,31 +219,35 @@ void Pieces::dropBubbles(const std::vector<int>& doubtful) {
 void Pieces::orient() {
   std::vector<char> isKnown(chosen_.size());
   for (int f = 1; f <= faces_.Extent(); ++f)
-    isKnown[f] = chosen_[f] && (isUnanimous(f) || !isNarrow(f));
-  const auto orientationIn = [&](int f, const TopoDS_Shape& edge) {
-    const TopoDS_Shape turned = turned_[f] ? faces_(f).Reversed() : faces_(f);
-    for (TopExp_Explorer it(turned, TopAbs_EDGE); it.More(); it.Next()) {
-      if (it.Current().IsSame(edge)) return it.Current().Orientation();
+    isKnown[f] = chosen_[f] && (isUnanimous(f) || !narrow_[f]);
+  const auto orientFrom = [&](int f, int e) {
+    if (uses(e) != 2) return;
+    for (const TopoDS_Shape& owner : edges_(e)) {
+      const int g = faces_.FindIndex(owner);
+      if (g == f || !chosen_[g] || !isKnown[g]) continue;
+      if (orientationIn(f, e) == orientationIn(g, e)) turned_[f] = !turned_[f];
+      isKnown[f] = 1;
+      return;
     }
-    return TopAbs_EXTERNAL;
   };
   for (bool isChanged = true; isChanged;) {
     isChanged = false;
     for (int f = 1; f <= faces_.Extent(); ++f) {
       if (!chosen_[f] || isKnown[f]) continue;
       for (const int e : borderOf(f)) {
-        if (uses(e) != 2) continue;
-        const TopoDS_Shape& edge = edges_.FindKey(e);
-        for (const TopoDS_Shape& owner : edges_(e)) {
-          const int g = faces_.FindIndex(owner);
-          if (g == f || !chosen_[g] || !isKnown[g] || isKnown[f]) continue;
-          if (orientationIn(f, edge) == orientationIn(g, edge)) turned_[f] = !turned_[f];
-          isKnown[f] = 1;
-          isChanged = true;
-        }
+        if (!isKnown[f]) orientFrom(f, e);
       }
+      isChanged = isChanged || isKnown[f];
     }
   }
+}
+
+TopAbs_Orientation Pieces::orientationIn(int f, int e) const {
+  const TopoDS_Shape turned = turned_[f] ? faces_(f).Reversed() : faces_(f);
+  for (TopExp_Explorer it(turned, TopAbs_EDGE); it.More(); it.Next()) {
+    if (it.Current().IsSame(edges_.FindKey(e))) return it.Current().Orientation();
+  }
+  return TopAbs_EXTERNAL;
 }
 
 bool Pieces::isUnanimous(int f) const {
@@ -251,17 +256,18 @@ bool Pieces::isUnanimous(int f) const {
   return most == votes.count() && most >= kMinSamples;
 }
 
-bool Pieces::isNarrow(int f) const {
+void Pieces::measure(int f) {
   constexpr double kNarrow = 30;  // times the distance of the samples
   GProp_GProps area, length;
   BRepGProp::SurfaceProperties(faces_(f), area);
   BRepGProp::LinearProperties(faces_(f), length);
-  return 2 * std::abs(area.Mass()) < kNarrow * sides_.distance() * length.Mass();
+  area_[f] = std::abs(area.Mass());
+  narrow_[f] = 2 * area_[f] < kNarrow * sides_.distance() * length.Mass();
 }
 
 bool Pieces::areCertain() const {
   for (int f = 1; f <= faces_.Extent(); ++f) {
-    if (chosen_[f] && !isUnanimous(f) && !isNarrow(f)) return false;
+    if (chosen_[f] && !isUnanimous(f) && !narrow_[f]) return false;
   }
   return true;
 }

@@ -67,15 +67,23 @@ class Pieces {
   // Turns pieces without votes as their neighbours are turned.
   void orient();
 
+  // Returns how a chosen piece, turned as it is now, uses the edge.
+  TopAbs_Orientation orientationIn(int f, int e) const;
+
+  void measure(int f);
   bool isUnanimous(int f) const;
-  bool isNarrow(int f) const;
+  // Returns whether the samples may be wrong.
+  bool isDoubtful(int f) const { return !isUnanimous(f) || narrow_[f]; }
 
   const TopoDS_Shape fused_;
   const Sides& sides_;
   TopTools_IndexedMapOfShape faces_;
   TopTools_IndexedDataMapOfShapeListOfShape edges_;
-  std::vector<Votes> votes_;           // by piece, from 1
-  std::vector<char> chosen_, turned_;  // by piece, from 1
+  // By piece, from 1:
+  std::vector<Votes> votes_;
+  std::vector<double> area_;  // mm^2
+  std::vector<char> narrow_;  // whether it is narrow, compared with the distance of the samples
+  std::vector<char> chosen_, turned_;
 };
 
 }  // namespace swept::step

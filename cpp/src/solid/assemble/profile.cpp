@@ -49,21 +49,11 @@ std::optional<Crossing> refined(const Profile& a, const Profile& b, Crossing at,
 // Returns how far the curves are apart between two crossings, at most.
 double distanceBetween(const Profile& a, const Profile& b, const Crossing& from, const Crossing& to,
                        const Projection& projection) {
-  constexpr int kRounds = 5;
   double largest = 0;
   for (const double w : {0.25, 0.5, 0.75}) {
     const gp_Pnt2d p = projection.of(a.curve.Value(from.a + w * (to.a - from.a)));
-    double t = from.b + w * (to.b - from.b), distance = 0;
-    for (int round = 0; round < kRounds; ++round) {
-      gp_Pnt q;
-      gp_Vec along;
-      b.curve.D1(t, q, along);
-      const gp_Vec2d off(projection.of(q), p), slope = projection.of(along);
-      distance = off.Magnitude();
-      if (slope.SquareMagnitude() <= gp::Resolution()) break;
-      t = std::clamp(t + off.Dot(slope) / slope.SquareMagnitude(), b.from(), b.to());
-    }
-    largest = std::max(largest, distance);
+    const double t = b.footOf(p, from.b + w * (to.b - from.b), projection);
+    largest = std::max(largest, projection.of(b.curve.Value(t)).Distance(p));
   }
   return largest;
 }
@@ -177,6 +167,19 @@ gp_Pnt Profile::pointAt(double t) const {
   if (!isEnd(t)) return curve.Value(t);
   const TopoDS_Vertex vertex = endVertex(2 * t > from() + to());
   return vertex.IsNull() ? curve.Value(t) : BRep_Tool::Pnt(vertex);
+}
+
+double Profile::footOf(const gp_Pnt2d& p, double t, const Projection& projection) const {
+  constexpr int kRounds = 8;
+  for (int round = 0; round < kRounds; ++round) {
+    gp_Pnt q;
+    gp_Vec along;
+    curve.D1(t, q, along);
+    const gp_Vec2d off(projection.of(q), p), slope = projection.of(along);
+    if (slope.SquareMagnitude() <= gp::Resolution()) break;
+    t = std::clamp(t + off.Dot(slope) / slope.SquareMagnitude(), from(), to());
+  }
+  return t;
 }
 
 std::vector<Crossing> crossingsOf(const Profile& a, const Profile& b,

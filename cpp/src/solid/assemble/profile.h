@@ -52,6 +52,8 @@ struct Profile {
   TopoDS_Vertex endVertex(bool isLast) const;
   /// Returns the point at a parameter: at the ends, that of the vertex.
   gp_Pnt pointAt(double t) const;
+  /// Returns the parameter of the point nearest to p, seen along the move. `t`: one nearby.
+  double footOf(const gp_Pnt2d& p, double t, const Projection& projection) const;
 
   TopoDS_Edge edge;
   BRepAdaptor_Curve curve;

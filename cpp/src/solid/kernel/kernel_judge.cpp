@@ -71,7 +71,6 @@ std::string kindOf(const TopoDS_Face& face) {
 class KernelJudge : public Judge {
  public:
   std::vector<std::int32_t> setModel(const Model& model, RunContext& run) override {
-    assembledRead_ = {};
     brep_ = buildBrep(model, run);
     return brep_.failed;
   }
@@ -95,7 +94,6 @@ class KernelJudge : public Judge {
     const Handle(KernelProgress) progress = new KernelProgress(run, 0.0, 0.3);
     Message_ProgressScope scope(progress->Start(), "", 5);
     brep_ = {};
-    assembledRead_ = {};
     if (!canSweepFaces(*origin.shape, origin.trajectory)) return std::nullopt;
     const Sides sides(origin.shape->shape, origin.trajectory);
     const SweptFaces faces = sweptFaces(*origin.shape, origin.trajectory, sides, scope.Next());
@@ -119,7 +117,7 @@ class KernelJudge : public Judge {
     const ShapeTriangles triangles(read, kDeflection * sides.distance(), kAngle);
     assembly.deviation = sweepDeviation(triangles.of(read), mesh.points, sides.interior(),
                                         sides.distance(), options.tolerance);
-    assembledRead_ = read;
+    brep_.readBack = read;
     for (TopExp_Explorer it(read, TopAbs_FACE); it.More(); it.Next())
       ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];
     return assembly;
@@ -129,7 +127,7 @@ class KernelJudge : public Judge {
     writeStepFile(brep_.shape, out, name, options, kernel_, run);
   }
   void writeBrep(std::ostream& out, RunContext& run) override {
-    step::writeBrep(assembledRead_.IsNull() ? brep_.shape : assembledRead_, out, run);
+    step::writeBrep(brep_.readBack.IsNull() ? brep_.shape : brep_.readBack, out, run);
   }
   SolidCheck readBack(const Model& model, const std::string& file, const std::string& name,
                       const SolidOptions& options, SolidFormat format, RunContext& run) override {
@@ -169,9 +167,6 @@ class KernelJudge : public Judge {
 
   KernelSession kernel_;
   Brep brep_;
-  /// An assembled solid as it was read back. Reading mends parameter curves and tolerances, which a
-  /// BREP file keeps as they are.
-  TopoDS_Shape assembledRead_;
   std::optional<ReadCheck> reader_;
 };
 
