@@ -187,7 +187,8 @@ TopoDS_Shape solidsOf(const std::vector<TopoDS_Face>& faces) {
 TopoDS_Shape unified(const TopoDS_Shape& solids) {
   ShapeUpgrade_UnifySameDomain joiner(solids, Standard_True, Standard_True, Standard_False);
   joiner.Build();
-  constexpr double kMaxTolerance = 1e-4;  // mm, for vertices that ends of edges miss by rounding
+  // mm: parameter curves may miss the vertices at their ends by rounding errors.
+  constexpr double kMaxTolerance = 1e-4;
   for (const TopoDS_Shape& shape : {joiner.Shape(), solids}) {
     TopTools_IndexedMapOfShape none;
     BOPTools_AlgoTools::CorrectTolerances(shape, none, kMaxTolerance);

@@ -19,11 +19,13 @@ Chain sumOf(const Chain& a, const Chain& b);
 /// Chains, none of which is a sum of others.
 class ChainBasis {
  public:
-  /// Adds a chain, unless it is a sum of earlier ones. Then returns the names of these. Otherwise
-  /// empty.
+  /// If the chain is a sum of earlier chains, returns the names of these and adds nothing.
+  /// Otherwise adds it under a name, a number of the caller's choice, and returns nothing.
   std::vector<int> add(Chain chain, int name);
 
-  /// Reduces the chain by those of the basis. Returns the names of those whose sum was taken off.
+  /// Subtracts chains of the basis until none of them shares its first edge with the rest. Returns
+  /// the names of the chains that were added and make up what was subtracted. Nothing is left of
+  /// the chain if it is a sum of them.
   std::vector<int> reduce(Chain& chain) const;
 
  private:

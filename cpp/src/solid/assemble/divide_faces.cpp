@@ -29,9 +29,11 @@
 namespace swept::step {
 namespace {
 
-/// mm: ends of sections within this distance from a vertex or an edge lie on it, or within twice
-/// its tolerance. Sections are exact; edges of bodies from files are not. Where they are at most
-/// 7e-4 mm off, in the leg of a robot, ends that belong together lie up to 3.5e-4 mm apart.
+/// mm: the end of a section is moved to a vertex or an edge that is nearer than this, or nearer
+/// than twice the tolerance of the vertex or edge. Sections are exact; edges of bodies from files
+/// are not. In the leg of a robot, with edges up to 7e-4 mm off their faces, ends that belong
+/// together are up to 3.5e-4 mm apart. The limit follows the worst vertex of the body, between
+/// these two values.
 constexpr double kMinNear = 1e-4, kMaxNear = 5e-4;
 
 class Divider {

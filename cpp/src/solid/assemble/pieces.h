@@ -64,7 +64,7 @@ class Pieces {
   void closeWith(const std::vector<int>& doubtful);
   // Drops pieces that form a closed surface on their own.
   void dropBubbles(const std::vector<int>& doubtful);
-  // Turns pieces without votes as their neighbours are turned.
+  // Orients narrow pieces as their neighbours are oriented.
   void orient();
 
   // Returns how a chosen piece, turned as it is now, uses the edge.
