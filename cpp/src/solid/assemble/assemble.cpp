@@ -137,7 +137,7 @@ TopoDS_Shape dividedAtSections(const SweptFaces& given) {
   std::vector<TopoDS_Face> faces;
   for (const SweptFace& face : given.faces) faces.push_back(face.face);
   try {
-    return divideFaces(faces, given.sections);
+    return divideFaces(faces, *given.sections, given.near);
   } catch (const Standard_Failure&) {
     return {};  // the general fuse may succeed
   }
@@ -211,7 +211,7 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
     const bool isRight = !solids.IsNull() && std::abs(volumeOf(solids) - volume) <= accuracy;
     return isRight ? unified(solids) : TopoDS_Shape();
   };
-  if (!faces.sections.empty()) {
+  if (faces.sections) {
     const TopoDS_Shape divided = dividedAtSections(faces);
     if (!divided.IsNull()) {
       const Pieces pieces(divided, sides);
@@ -220,9 +220,9 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
       if (!solid.IsNull()) return {solid, pieces.areCertain()};
     }
   }
+  if (!faces.canFuse) return {};
   Candidates candidates(faces.faces, sides);
-  if (candidates.curvedPairs() > (faces.sections.empty() ? kMaxCurvedPairs : kMaxDifficultPairs))
-    return {};
+  if (candidates.curvedPairs() > (faces.sections ? kMaxDifficultPairs : kMaxCurvedPairs)) return {};
   TopTools_ListOfShape arguments = candidates.used();
   std::size_t before = 0;  // open edges of the previous round
   for (int round = 0; round < kRounds; ++round) {

@@ -9,6 +9,7 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <Geom2d_Curve.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <Geom_Curve.hxx>
 #include <IntTools_Context.hxx>
@@ -38,7 +39,7 @@ constexpr double kMinNear = 1e-4, kMaxNear = 5e-4;
 
 class Divider {
  public:
-  explicit Divider(const std::vector<TopoDS_Face>& faces) : faces_(faces) {
+  Divider(const std::vector<TopoDS_Face>& faces, double near) : faces_(faces), least_(near) {
     TopTools_IndexedMapOfShape found;
     for (const TopoDS_Face& face : faces) {
       TopExp::MapShapes(face, TopAbs_EDGE, edges_);
@@ -64,7 +65,11 @@ class Divider {
     builder_.Add(edge, last.Oriented(TopAbs_REVERSED));
     builder_.Range(edge, from, to);
     edges_.Add(edge);
-    for (const int f : section.faces) inner_[f].push_back(edge);
+    for (const int f : section.faces) {
+      inner_[f].push_back(edge);
+      const Handle(Geom2d_Curve) on = BRep_Tool::CurveOnSurface(section.edge, faces_[f], from, to);
+      if (!on.IsNull()) builder_.UpdateEdge(edge, on, faces_[f], Precision::Confusion());
+    }
   }
 
   TopoDS_Shape divide() {
@@ -133,7 +138,7 @@ class Divider {
       double at = from;
       TopoDS_Vertex vertex = first;
       const auto isShort = [&](double t, double u) {
-        constexpr double kShortestPart = 1e-5;  // mm; vertices of two bodies may lie at one place
+        constexpr double kShortestPart = 1e-6;  // mm; vertices of two bodies may lie at one place
         return curve->Value(t).Distance(curve->Value(u)) < kShortestPart;
       };
       cuts.erase(std::remove_if(cuts.begin(), cuts.end(),
@@ -241,6 +246,7 @@ class Divider {
     maker.SetFace(face);
     maker.SetShapes(edges);
     maker.SetContext(context_);
+    maker.SetAvoidInternalShapes(Standard_True);
     maker.Perform();
     if (maker.HasErrors()) return false;
     for (const TopoDS_Shape& piece : maker.Areas())
@@ -254,7 +260,7 @@ class Divider {
   TopTools_IndexedMapOfShape edges_;
   std::vector<std::vector<TopoDS_Edge>> parts_;  // by edge; empty if it is degenerated
   std::vector<TopoDS_Vertex> vertices_;
-  double least_ = kMinNear;
+  double least_;
   std::vector<double> near_;                     // by vertex: twice its tolerance
   std::vector<std::vector<TopoDS_Edge>> inner_;  // by face
 };
@@ -262,7 +268,7 @@ class Divider {
 }  // namespace
 
 TopoDS_Shape divideFaces(const std::vector<TopoDS_Face>& faces,
-                         const std::vector<SweptSection>& sections) {
+                         const std::vector<SweptSection>& sections, double near) {
   // Dividing raises tolerances of edges and vertices, which the copies do not share.
   const BRep_Builder builder;
   TopoDS_Compound all;
@@ -271,7 +277,7 @@ TopoDS_Shape divideFaces(const std::vector<TopoDS_Face>& faces,
   BRepBuilderAPI_Copy copy(all, Standard_False);
   std::vector<TopoDS_Face> copies;
   for (const TopoDS_Face& face : faces) copies.push_back(TopoDS::Face(copy.ModifiedShape(face)));
-  Divider divider(copies);
+  Divider divider(copies, near);
   for (const SweptSection& section : sections) divider.add(section);
   return divider.divide();
 }

@@ -23,6 +23,6 @@ struct SweptSection {
 /// Returns a compound of the pieces; the given faces stay as they are. A face that the kernel
 /// cannot divide stays in one piece. May throw Standard_Failure.
 TopoDS_Shape divideFaces(const std::vector<TopoDS_Face>& faces,
-                         const std::vector<SweptSection>& sections);
+                         const std::vector<SweptSection>& sections, double near);
 
 }  // namespace swept::step

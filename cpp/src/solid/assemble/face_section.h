@@ -42,10 +42,10 @@ class FaceSection {
     std::vector<BorderPoint> border;
     /// The other sweeping edge and its parameter. The end is computed from that edge, so that the
     /// sections of both edges have the same end.
-    std::pair<const Profile*, double> other{nullptr, 0};
+    std::pair<const PlaneProfile*, double> other{nullptr, 0};
   };
 
-  FaceSection(const Profile& profile, const TopoDS_Face& face, const Projection& projection)
+  FaceSection(const PlaneProfile& profile, const TopoDS_Face& face, const Projection& projection)
       : profile_(profile), surface_(face, Standard_False), projection_(projection) {}
 
   /// Moves to the point over the parameter t of the edge. False if there is none nearby.
@@ -63,7 +63,7 @@ class FaceSection {
   std::optional<TopoDS_Edge> between(const End& from, const End& to, const State& middle) const;
 
  private:
-  FaceSection(const Profile& profile, const FaceSection& other)
+  FaceSection(const PlaneProfile& profile, const FaceSection& other)
       : profile_(profile), surface_(other.surface_), projection_(other.projection_) {}
 
   bool solveNear(const State& known, State& to, double t) const;
@@ -84,7 +84,7 @@ class FaceSection {
   // Returns whether a point between two states lies on both faces.
   bool isOn(const gp_Pnt& p, const State& a, const State& b) const;
 
-  const Profile& profile_;
+  const PlaneProfile& profile_;
   const BRepAdaptor_Surface surface_;
   const Projection& projection_;
 };

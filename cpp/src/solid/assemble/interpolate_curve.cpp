@@ -4,6 +4,7 @@
 #include <Geom2dAPI_Interpolate.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Precision.hxx>
+#include <Standard_Failure.hxx>
 #include <TColStd_HArray1OfBoolean.hxx>
 #include <TColStd_HArray1OfReal.hxx>
 #include <TColgp_Array1OfVec.hxx>
@@ -11,6 +12,7 @@
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TColgp_HArray1OfPnt2d.hxx>
 #include <type_traits>
+#include <utility>
 
 namespace swept::step {
 namespace {
@@ -28,10 +30,15 @@ auto throughPoints(const Points& points, const std::vector<double>& lengths, dou
     parameters->SetValue(i + 1, lengths[i]);
     tangents(i + 1) = points[i].tangent;
   }
-  Maker maker(places, parameters, Standard_False, nearest);
-  maker.Load(tangents, given, Standard_False);
-  maker.Perform();
-  return maker.IsDone() ? maker.Curve() : std::decay_t<decltype(maker.Curve())>();
+  using Curve = std::decay_t<decltype(std::declval<const Maker&>().Curve())>;
+  try {
+    Maker maker(places, parameters, Standard_False, nearest);
+    maker.Load(tangents, given, Standard_False);
+    maker.Perform();
+    return maker.IsDone() ? maker.Curve() : Curve();
+  } catch (const Standard_Failure&) {
+    return Curve();  // two points are too near to each other
+  }
 }
 
 }  // namespace

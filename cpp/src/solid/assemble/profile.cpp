@@ -19,7 +19,7 @@ constexpr double kChord = 1e-3;
 constexpr double kMeet = 1e-7;
 
 // Moves both parameters to the crossing. Nothing if there is none nearby.
-std::optional<Crossing> refined(const Profile& a, const Profile& b, Crossing at,
+std::optional<Crossing> refined(const PlaneProfile& a, const PlaneProfile& b, Crossing at,
                                 const Projection& projection) {
   constexpr int kRounds = 12;
   constexpr double kExact = 1e-10;           // mm
@@ -47,8 +47,8 @@ std::optional<Crossing> refined(const Profile& a, const Profile& b, Crossing at,
 }
 
 // Returns how far the curves are apart between two crossings, at most.
-double distanceBetween(const Profile& a, const Profile& b, const Crossing& from, const Crossing& to,
-                       const Projection& projection) {
+double distanceBetween(const PlaneProfile& a, const PlaneProfile& b, const Crossing& from,
+                       const Crossing& to, const Projection& projection) {
   double largest = 0;
   for (const double w : {0.25, 0.5, 0.75}) {
     const gp_Pnt2d p = projection.of(a.curve.Value(from.a + w * (to.a - from.a)));
@@ -60,7 +60,7 @@ double distanceBetween(const Profile& a, const Profile& b, const Crossing& from,
 
 // Two curves that are tangent at a common end have no certain crossing near it, as edges of bodies
 // from files are not exact. Returns the common end instead.
-Crossing atCommonEnd(const Profile& a, const Profile& b, const Crossing& at,
+Crossing atCommonEnd(const PlaneProfile& a, const PlaneProfile& b, const Crossing& at,
                      const Projection& projection) {
   constexpr double kTangent = 0.05;  // sine
   // mm: distances of the crossing from the common end. At a cusp, nothing is tangent.
@@ -93,7 +93,7 @@ Crossing atCommonEnd(const Profile& a, const Profile& b, const Crossing& at,
   return at;
 }
 
-ProfileBox boxOf(const Profile& profile, std::size_t segment) {
+ProfileBox boxOf(const PlaneProfile& profile, std::size_t segment) {
   ProfileBox box;
   box.add(profile.corners[segment]);
   box.add(profile.corners[segment + 1]);
@@ -102,7 +102,7 @@ ProfileBox boxOf(const Profile& profile, std::size_t segment) {
 
 // Returns the parameters at which two segments cross, or the ends next to it. Nothing if they are
 // too far apart.
-std::optional<Crossing> crossingOf(const Profile& a, std::size_t i, const Profile& b,
+std::optional<Crossing> crossingOf(const PlaneProfile& a, std::size_t i, const PlaneProfile& b,
                                    std::size_t j) {
   const gp_Vec2d u(a.corners[i], a.corners[i + 1]), v(b.corners[j], b.corners[j + 1]);
   const gp_Vec2d off(a.corners[i], b.corners[j]);
@@ -115,7 +115,7 @@ std::optional<Crossing> crossingOf(const Profile& a, std::size_t i, const Profil
     const double beyondV = 2 * kChord / std::max(v.Magnitude(), 1e-9);
     if (s < -beyondU || s > 1 + beyondU || t < -beyondV || t > 1 + beyondV) return std::nullopt;
   }
-  const auto between = [](const Profile& profile, std::size_t k, double part) {
+  const auto between = [](const PlaneProfile& profile, std::size_t k, double part) {
     const double from = profile.parameters[k], to = profile.parameters[k + 1];
     return from + std::clamp(part, 0.0, 1.0) * (to - from);
   };
@@ -140,7 +140,7 @@ bool ProfileBox::overlaps(const ProfileBox& box) const {
          low.Y() <= box.high.Y() + kMargin && box.low.Y() <= high.Y() + kMargin;
 }
 
-Profile::Profile(const TopoDS_Edge& e, const Projection& projection) : edge(e), curve(e) {
+PlaneProfile::PlaneProfile(const TopoDS_Edge& e, const Projection& projection) : edge(e), curve(e) {
   constexpr double kTurn = 0.05;  // rad, between segments
   constexpr int kMinPoints = 9;
   const GCPnts_TangentialDeflection points(curve, kTurn, kChord, kMinPoints);
@@ -152,24 +152,24 @@ Profile::Profile(const TopoDS_Edge& e, const Projection& projection) : edge(e), 
   }
 }
 
-bool Profile::isEnd(double t) const {
+bool PlaneProfile::isEnd(double t) const {
   const double least = 1e-9 * (to() - from());
   return t - from() < least || to() - t < least;
 }
 
-TopoDS_Vertex Profile::endVertex(bool isLast) const {
+TopoDS_Vertex PlaneProfile::endVertex(bool isLast) const {
   TopoDS_Vertex first, last;
   TopExp::Vertices(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)), first, last);
   return isLast ? last : first;
 }
 
-gp_Pnt Profile::pointAt(double t) const {
+gp_Pnt PlaneProfile::pointAt(double t) const {
   if (!isEnd(t)) return curve.Value(t);
   const TopoDS_Vertex vertex = endVertex(2 * t > from() + to());
   return vertex.IsNull() ? curve.Value(t) : BRep_Tool::Pnt(vertex);
 }
 
-double Profile::footOf(const gp_Pnt2d& p, double t, const Projection& projection) const {
+double PlaneProfile::footOf(const gp_Pnt2d& p, double t, const Projection& projection) const {
   constexpr int kRounds = 8;
   for (int round = 0; round < kRounds; ++round) {
     gp_Pnt q;
@@ -182,7 +182,7 @@ double Profile::footOf(const gp_Pnt2d& p, double t, const Projection& projection
   return t;
 }
 
-std::vector<Crossing> crossingsOf(const Profile& a, const Profile& b,
+std::vector<Crossing> crossingsOf(const PlaneProfile& a, const PlaneProfile& b,
                                   const Projection& projection) {
   std::vector<Crossing> found;
   if (!a.box.overlaps(b.box)) return found;

@@ -43,8 +43,8 @@ struct ProfileBox {
 };
 
 /// An edge seen along the move.
-struct Profile {
-  Profile(const TopoDS_Edge& edge, const Projection& projection);
+struct PlaneProfile {
+  PlaneProfile(const TopoDS_Edge& edge, const Projection& projection);
   double from() const { return parameters.front(); }
   double to() const { return parameters.back(); }
   bool isEnd(double t) const;
@@ -69,6 +69,7 @@ struct Crossing {
 
 /// Returns where the curves cross. At a common end at which they are tangent, only this end. Places
 /// at which they touch without crossing are not found.
-std::vector<Crossing> crossingsOf(const Profile& a, const Profile& b, const Projection& projection);
+std::vector<Crossing> crossingsOf(const PlaneProfile& a, const PlaneProfile& b,
+                                  const Projection& projection);
 
 }  // namespace swept::step

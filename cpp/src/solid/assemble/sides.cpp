@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "solid/assemble/polyhedron.h"
 #include "solid/assemble/shape_triangles.h"
 
 namespace swept::step {
@@ -16,6 +17,8 @@ namespace {
 /// Fractions of the size of the body: how far its triangles may lie from its faces, and how far
 /// sample points lie from the face that they judge.
 constexpr double kDeflection = 1.0 / 80000, kSampleDistance = 1.0 / 30000;
+/// The same for polyhedra, whose triangles are exact, so that only chords of the motion deviate.
+constexpr double kFineDeflection = 1e-7, kFineDistance = 1e-6;
 constexpr double kAngle = 0.1;  // rad, between adjacent triangles of the body
 
 TriMesh trianglesOf(const TopoDS_Shape& body, double deflection) {
@@ -33,9 +36,13 @@ double sizeOf(const TopoDS_Shape& shape) {
 
 Sides::Sides(const TopoDS_Shape& body, const Trajectory& trajectory)
     : size_(sizeOf(body)),
-      interior_(trianglesOf(body, kDeflection * size_), trajectory, kDeflection * size_) {}
+      isFine_(isPolyhedron(body)),
+      interior_(trianglesOf(body, kDeflection * size_), trajectory,
+                (isFine_ ? kFineDeflection : kDeflection) * size_) {}
 
-double Sides::distance() const { return kSampleDistance * size_; }
+double Sides::distance() const { return (isFine_ ? kFineDistance : kSampleDistance) * size_; }
+
+double Sides::detail() const { return kSampleDistance * size_; }
 
 void Sides::vote(const FaceSample& sample, Votes& votes) const {
   const gp_Vec off = gp_Vec(sample.normal) * distance();

@@ -28,6 +28,8 @@ class Sides {
 
   /// mm: how far sample points lie from the face that they judge.
   double distance() const;
+  /// mm: details of the swept volume that are smaller need not be shown.
+  double detail() const;
   const SweptInterior& interior() const { return interior_; }
   void vote(const FaceSample& sample, Votes& votes) const;
   /// Returns whether a sample of the face lies on the surface of the swept volume.
@@ -40,6 +42,7 @@ class Sides {
  private:
   bool contains(const gp_Pnt& p) const { return interior_.contains({p.X(), p.Y(), p.Z()}); }
   double size_;
+  bool isFine_;
   SweptInterior interior_;
 };
 

@@ -110,7 +110,7 @@ class Sections {
   // Adds the parts of the line in which what two edges sweep intersects. Faces of the body at both
   // ends of the move divide the line.
   void addLines(int i, int j, const Crossing& at) {
-    const Profile &a = profiles_[sweeping_[i]], &b = profiles_[sweeping_[j]];
+    const PlaneProfile &a = profiles_[sweeping_[i]], &b = profiles_[sweeping_[j]];
     gp_Pnt p, q;
     gp_Vec alongA, alongB;
     a.curve.D1(at.a, p, alongA);
@@ -150,7 +150,7 @@ class Sections {
   // the edge.
   std::vector<FaceSection::End> endsOf(int i, const SeenFace& face) const {
     const int own = sweeping_[i];
-    const Profile& profile = profiles_[own];
+    const PlaneProfile& profile = profiles_[own];
     const TopoDS_Face& cap = face.cap->face;
     std::vector<FaceSection::End> ends;
     for (const double t : {profile.from(), profile.to()}) {
@@ -208,7 +208,7 @@ class Sections {
 
   void addFaceSections(int i, int f) {
     const SeenFace& face = faces_[f];
-    const Profile& profile = profiles_[sweeping_[i]];
+    const PlaneProfile& profile = profiles_[sweeping_[i]];
     if (!profile.box.overlaps(face.box)) return;
     const bool isBorder = face.edges.Contains(profile.edge);
     const std::vector<FaceSection::End> ends = endsOf(i, face);
@@ -261,7 +261,7 @@ class Sections {
   const Projection projection_;
   const Sides& sides_;
   TopTools_IndexedMapOfShape index_;  // of the edges, from 1
-  std::deque<Profile> profiles_;
+  std::deque<PlaneProfile> profiles_;
   std::vector<int> sweeping_;  // profiles
   std::vector<int> place_;     // by profile: its place among the sweeping ones, or -1
   std::deque<SeenFace> faces_;

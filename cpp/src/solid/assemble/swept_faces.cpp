@@ -24,7 +24,11 @@
 #include "motion/pivot.h"
 #include "motion/step_path.h"
 #include "solid/assemble/cut_body.h"
+#include "solid/assemble/kernel_geometry.h"
+#include "solid/assemble/mesh_sections.h"
+#include "solid/assemble/polyhedron.h"
 #include "solid/assemble/straight_sections.h"
+#include "solid/assemble/turning_faces.h"
 
 namespace swept::step {
 namespace {
@@ -35,18 +39,6 @@ using Eigen::Vector3d;
 constexpr std::size_t kMaxFaces = 2000;
 /// Shorter moves (mm) and smaller turns (rad) are no motion.
 constexpr double kNoMove = 1e-9, kNoTurn = 1e-10;
-
-gp_Vec vectorOf(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-gp_Pnt pointOf(const Vector3d& p) { return {p.x(), p.y(), p.z()}; }
-
-gp_Trsf transformOf(const Placement& placement) {
-  const Eigen::Matrix3d& r = placement.rotation;
-  const Vector3d& t = placement.translation;
-  gp_Trsf transform;
-  transform.SetValues(r(0, 0), r(0, 1), r(0, 2), t[0], r(1, 0), r(1, 1), r(1, 2), t[1], r(2, 0),
-                      r(2, 1), r(2, 2), t[2]);
-  return transform;
-}
 
 // One motion step: a straight move, or a turn about a fixed axis.
 struct Move {
@@ -80,12 +72,12 @@ std::optional<Move> moveOf(const Pose& from, const Pose& to, Interpolation inter
   const StepPath path(from, to, interpolation);
   Move move;
   if (path.angle() <= kNoTurn) {
-    move.shift = vectorOf(to.translation - from.translation);
+    move.shift = vecOf(to.translation - from.translation);
     return move;
   }
   if (std::abs(path.isScrew() ? path.pitch() : path.drift()) > kNoMove) return std::nullopt;
   const Vector3d point = path.isScrew() ? path.axisPoint() : from.translation;
-  move.axis = gp_Ax1(pointOf(point), gp_Dir(vectorOf(path.axis())));
+  move.axis = gp_Ax1(pointOf(point), gp_Dir(vecOf(path.axis())));
   move.angle = path.angle();
   return move;
 }
@@ -201,17 +193,39 @@ std::optional<std::vector<Move>> movesOf(const Trajectory& trajectory) {
   return moves;
 }
 
+bool isGeneral(const BodyShape& body, const Trajectory& trajectory) {
+  return trajectory.interpolation != Interpolation::None && trajectory.poses.size() >= 2 &&
+         !movesOf(trajectory) && isPolyhedron(body.shape);
+}
+
+// Faces for motions with steps in which the body moves and turns at the same time.
+SweptFaces generalFaces(const BodyShape& body, const Trajectory& trajectory, const Sides& sides) {
+  const Vector3d pivot = pivotOf(trajectory);
+  gp_Trsf toPivot;
+  toPivot.SetTranslation(vecOf(-pivot));
+  const TopoDS_Shape seen = BRepBuilderAPI_Transform(body.shape, toPivot, Standard_True).Shape();
+  const auto made = turningFaces(seen, carriedByPivot(trajectory, pivot));
+  if (!made) return {};
+  SweptFaces result;
+  result.faces = made->faces;
+  result.sections = meshSections(made->faces, made->dividers, made->crossings, sides);
+  result.near = 2e-6;
+  result.canFuse = false;
+  return result;
+}
+
 }  // namespace
 
 bool canSweepFaces(const BodyShape& body, const Trajectory& trajectory) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(body.shape, TopAbs_FACE, faces);
   return trajectory.poses.size() * faces.Extent() <= kMaxFaces + faces.Extent() &&
-         movesOf(trajectory).has_value();
+         (movesOf(trajectory).has_value() || isGeneral(body, trajectory));
 }
 
 SweptFaces sweptFaces(const BodyShape& body, const Trajectory& trajectory, const Sides& sides,
                       const Message_ProgressRange& progress) {
+  if (isGeneral(body, trajectory)) return generalFaces(body, trajectory, sides);
   const std::vector<Move> moves = movesOf(trajectory).value_or(std::vector<Move>());
   const auto isMoving = [](const Move& move) { return !move.isRest(); };
   const bool isSingle = std::count_if(moves.begin(), moves.end(), isMoving) == 1;

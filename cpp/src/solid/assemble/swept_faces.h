@@ -17,6 +17,7 @@
 
 #include <Message_ProgressRange.hxx>
 #include <TopoDS_Face.hxx>
+#include <optional>
 #include <vector>
 
 #include "solid/assemble/body_shape.h"
@@ -35,9 +36,14 @@ struct SweptFace {
 
 struct SweptFaces {
   std::vector<SweptFace> faces;
-  /// If the motion is one straight move and the body one solid: the curves in which the faces
-  /// intersect. Empty otherwise.
-  std::vector<SweptSection> sections;
+  /// The curves in which the faces intersect, if they are known.
+  std::optional<std::vector<SweptSection>> sections;
+  /// mm: points of sections that are nearer than this are one vertex. Bodies from files are exact
+  /// to about this length.
+  double near = 1e-4;
+  /// Whether the kernel's general fuse may find the sections. It takes minutes for faces that are
+  /// splines.
+  bool canFuse = true;
 };
 
 /// Returns whether all steps of the trajectory are of these kinds, and the body has few enough

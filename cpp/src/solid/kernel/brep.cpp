@@ -3,12 +3,8 @@
 
 #include <BRep_Builder.hxx>
 #include <Geom2d_Curve.hxx>
-#include <Geom_BSplineCurve.hxx>
-#include <Geom_BSplineSurface.hxx>
-#include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
-#include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
@@ -17,10 +13,6 @@
 #include <ShapeConstruct_ProjectCurveOnSurface.hxx>
 #include <ShapeFix_Edge.hxx>
 #include <Standard_Failure.hxx>
-#include <TColStd_Array1OfInteger.hxx>
-#include <TColStd_Array1OfReal.hxx>
-#include <TColgp_Array1OfPnt.hxx>
-#include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
@@ -35,28 +27,14 @@
 #include <gp_Vec2d.hxx>
 #include <string>
 
+#include "solid/assemble/kernel_geometry.h"
+
 namespace swept::step {
 namespace {
-
-gp_Pnt pointOf(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
-gp_Dir dirOf(const Eigen::Vector3d& d) { return {d.x(), d.y(), d.z()}; }
 
 // Returns the tolerance to store for a measured distance: slightly larger because of rounding, and
 // never below kKernelTolerance.
 double storedTolerance(double measured) { return std::max(kKernelTolerance, 1.01 * measured); }
-
-// The knots of a B-spline in the form that the kernel expects.
-struct KernelKnots {
-  explicit KernelKnots(const Knots& knots)
-      : at(1, static_cast<Standard_Integer>(knots.breaks().size())), multiplicities(1, at.Upper()) {
-    for (Standard_Integer i = 1; i <= at.Upper(); ++i) {
-      at(i) = knots.breaks()[i - 1];
-      multiplicities(i) = i == 1 || i == at.Upper() ? knots.degree() + 1 : knots.joints();
-    }
-  }
-  TColStd_Array1OfReal at;
-  TColStd_Array1OfInteger multiplicities;
-};
 
 class BrepBuilder {
  public:
@@ -96,33 +74,6 @@ class BrepBuilder {
     }
   }
 
-  static Handle(Geom_Curve) curveOf(const Curve& curve) {
-    if (curve.kind == CurveKind::Line)
-      return new Geom_Line(pointOf(curve.start), dirOf(curve.axis));
-    if (curve.kind == CurveKind::Circle) {
-      return new Geom_Circle(gp_Ax2(pointOf(curve.start), dirOf(curve.axis), dirOf(curve.xdir)),
-                             curve.radius);
-    }
-    TColgp_Array1OfPnt poles(1, static_cast<Standard_Integer>(curve.poles.size()));
-    for (std::size_t i = 0; i < curve.poles.size(); ++i)
-      poles(static_cast<Standard_Integer>(i) + 1) = pointOf(curve.poles[i]);
-    const KernelKnots knots(Knots(curve.degree, curve.knots, curve.joints));
-    return new Geom_BSplineCurve(poles, knots.at, knots.multiplicities, curve.degree);
-  }
-
-  static Handle(Geom_Surface) sheetOf(const Sheet& sheet) {
-    const auto rows = static_cast<Standard_Integer>(sheet.knotsU().poleCount());
-    const auto columns = static_cast<Standard_Integer>(sheet.knotsT().poleCount());
-    TColgp_Array2OfPnt poles(1, rows, 1, columns);
-    for (Standard_Integer i = 1; i <= rows; ++i) {
-      for (Standard_Integer j = 1; j <= columns; ++j)
-        poles(i, j) = pointOf(sheet.pole(i - 1, j - 1));
-    }
-    const KernelKnots u(sheet.knotsU()), t(sheet.knotsT());
-    return new Geom_BSplineSurface(poles, u.at, t.at, u.multiplicities, t.multiplicities,
-                                   sheet.knotsU().degree(), sheet.knotsT().degree());
-  }
-
   static Handle(Geom_Surface) surfaceOf(const Carrier& s) {
     const gp_Dir x = dirOf(s.xdir.norm() > 0.5 ? s.xdir : anyOrthogonal(s.axis));
     const gp_Ax3 axes(pointOf(s.point), dirOf(s.axis), x);
@@ -136,12 +87,12 @@ class BrepBuilder {
       case CarrierKind::Torus:
         return new Geom_ToroidalSurface(axes, s.radius, s.minor);
       case CarrierKind::Extrusion:
-        return new Geom_SurfaceOfLinearExtrusion(curveOf(profileOf(s)), dirOf(s.axis));
+        return new Geom_SurfaceOfLinearExtrusion(kernelCurve(profileOf(s)), dirOf(s.axis));
       case CarrierKind::Revolution:
-        return new Geom_SurfaceOfRevolution(curveOf(profileOf(s)),
+        return new Geom_SurfaceOfRevolution(kernelCurve(profileOf(s)),
                                             gp_Ax1(pointOf(s.point), dirOf(s.axis)));
       case CarrierKind::Sheet:
-        return sheetOf(*s.sheet);
+        return kernelSheet(*s.sheet);
       default:
         return new Geom_Plane(axes);
     }
@@ -156,7 +107,7 @@ class BrepBuilder {
       if (!((edge.curve.at(edge.curve.last / 2) - a).norm() > kKernelTolerance)) continue;
       try {
         TopoDS_Edge made;
-        builder_.MakeEdge(made, curveOf(edge.curve), storedTolerance(edge.tolerance));
+        builder_.MakeEdge(made, kernelCurve(edge.curve), storedTolerance(edge.tolerance));
         builder_.Add(made, vertices_[edge.start].Oriented(TopAbs_FORWARD));
         builder_.Add(made, vertices_[edge.end].Oriented(TopAbs_REVERSED));
         builder_.Range(made, 0, edge.curve.last);
@@ -194,7 +145,7 @@ class BrepBuilder {
     const Handle(Geom_Surface) geometry = BRep_Tool::Surface(face);
     ShapeConstruct_ProjectCurveOnSurface projector;
     projector.Init(geometry, kKernelTolerance);
-    Handle(Geom_Curve) space = curveOf(curve);
+    Handle(Geom_Curve) space = kernelCurve(curve);
     Handle(Geom2d_Curve) flat;
     projector.Perform(space, 0, curve.last, flat);
     if (flat.IsNull()) return;

@@ -114,9 +114,9 @@ class KernelJudge : public Judge {
     assembly.check = checkShape(read, run, 0.3, 0.5);
     constexpr double kDeflection = 0.5;  // of the accuracy
     constexpr double kAngle = 0.5;       // rad; the deflection demands more
-    const ShapeTriangles triangles(read, kDeflection * sides.distance(), kAngle);
+    const ShapeTriangles triangles(read, kDeflection * sides.detail(), kAngle);
     assembly.deviation = sweepDeviation(triangles.of(read), mesh.points, sides.interior(),
-                                        sides.distance(), options.tolerance);
+                                        sides.detail(), options.tolerance);
     brep_.readBack = read;
     for (TopExp_Explorer it(read, TopAbs_FACE); it.More(); it.Next())
       ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];

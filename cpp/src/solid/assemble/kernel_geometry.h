@@ -1,0 +1,28 @@
+// Curves and sheets of this project as geometry of the kernel. Parameters stay the same.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Geom_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <gp_Dir.hxx>
+#include <gp_Pnt.hxx>
+#include <gp_Trsf.hxx>
+#include <gp_Vec.hxx>
+
+#include "motion/motion.h"
+#include "solid/carrier/curve.h"
+#include "solid/carrier/sheet.h"
+
+namespace swept::step {
+
+inline gp_Pnt pointOf(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+inline gp_Vec vecOf(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+inline gp_Dir dirOf(const Eigen::Vector3d& d) { return {d.x(), d.y(), d.z()}; }
+inline Eigen::Vector3d vectorOf(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
+
+gp_Trsf transformOf(const Placement& placement);
+
+Handle(Geom_Curve) kernelCurve(const Curve& curve);
+Handle(Geom_Surface) kernelSheet(const Sheet& sheet);
+
+}  // namespace swept::step

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/mesh_sections.h"
+
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomAPI_ProjectPointOnCurve.hxx>
+#include <TopExp.hxx>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "solid/assemble/interpolate_curve.h"
+#include "solid/assemble/kernel_geometry.h"
+#include "solid/assemble/meshed_faces.h"
+#include "solid/assemble/section_tracer.h"
+
+namespace swept::step {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// Times the smallest detail: how far triangles lie from the faces.
+constexpr double kTriangleDeflection = 10;
+
+// A curve that lies on faces, and is to be cut.
+struct FaceCurve {
+  TopoDS_Edge edge;
+  std::vector<int> faces;
+  bool isDivider = false;
+
+  bool liesOn(int f) const { return std::find(faces.begin(), faces.end(), f) != faces.end(); }
+  Handle(Geom_Curve) curve() const {
+    double from, to;
+    return BRep_Tool::Curve(edge, from, to);
+  }
+  gp_Pnt middle() const {
+    double from, to;
+    const Handle(Geom_Curve) along = BRep_Tool::Curve(edge, from, to);
+    return along->Value((from + to) / 2);
+  }
+};
+
+bool isNear(const gp_Pnt& p, const TopoDS_Edge& edge, double distance) {
+  double from, to;
+  const Handle(Geom_Curve) along = BRep_Tool::Curve(edge, from, to);
+  const GeomAPI_ProjectPointOnCurve foot(p, along, from, to);
+  return (foot.NbPoints() > 0 && foot.LowerDistance() < distance) ||
+         p.Distance(along->Value(from)) < distance || p.Distance(along->Value(to)) < distance;
+}
+
+class Finder {
+ public:
+  Finder(const std::vector<SweptFace>& faces, const Sides& sides)
+      : faces_(faces, kTriangleDeflection * sides.detail()), sides_(sides) {}
+
+  std::vector<SweptSection> find(const std::vector<SweptSection>& dividers,
+                                 const std::vector<gp_Pnt>& crossings) {
+    for (const SweptSection& divider : dividers)
+      dividers_.push_back({divider.edge, divider.faces, true});
+    addVertices(crossings);
+    certain_ = events_.size();
+    followChains();
+    for (const FaceCurve& curve : borders()) addPiercings(curve, true);
+    for (const FaceCurve& curve : dividers_) addPiercings(curve, true);
+    certain_ = events_.size();
+    for (const FaceCurve& curve : dividers_) addPiercings(curve, false);
+    std::vector<FaceCurve> sections;
+    for (const auto& [pair, found] : sections_)
+      sections.insert(sections.end(), found.begin(), found.end());
+    for (const FaceCurve& curve : sections) addPiercings(curve, false);
+    std::vector<SweptSection> result;
+    for (const FaceCurve& curve : dividers_) appendParts(curve, result);
+    for (const FaceCurve& curve : sections) appendParts(curve, result);
+    return result;
+  }
+
+ private:
+  void addVertices(const std::vector<gp_Pnt>& crossings) {
+    TopTools_IndexedMapOfShape vertices;
+    for (int e = 1; e <= faces_.edges().Extent(); ++e)
+      TopExp::MapShapes(faces_.edges()(e), TopAbs_VERTEX, vertices);
+    for (int v = 1; v <= vertices.Extent(); ++v)
+      events_.push_back(vectorOf(BRep_Tool::Pnt(TopoDS::Vertex(vertices(v))).XYZ()));
+    for (const gp_Pnt& p : crossings) events_.push_back(vectorOf(p.XYZ()));
+    for (const FaceCurve& divider : dividers_) {
+      double from, to;
+      const Handle(Geom_Curve) along = BRep_Tool::Curve(divider.edge, from, to);
+      for (const double t : {from, to}) events_.push_back(vectorOf(along->Value(t).XYZ()));
+    }
+  }
+
+  std::vector<FaceCurve> borders() const {
+    std::vector<FaceCurve> result;
+    for (int e = 1; e <= faces_.edges().Extent(); ++e) {
+      FaceCurve& border = result.emplace_back();
+      border.edge = faces_.edge(e);
+      for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
+        if (faces_.hasEdge(f, e)) border.faces.push_back(f);
+      }
+    }
+    return result;
+  }
+
+  SectionTracer tracerOf(int a, int b) const {
+    // mm: where faces cross at a common edge, Newton's method finds points of the edge exactly;
+    // where they are tangent along a divider, it does not.
+    constexpr double kCrossing = 1e-5, kTangent = 1e-3;
+    std::vector<SharedCurve> shared;
+    for (const int e : faces_.edgesOf(a)) {
+      if (faces_.hasEdge(b, e))
+        shared.push_back({FaceCurve{faces_.edge(e), {}}.curve(), kCrossing});
+    }
+    for (const FaceCurve& divider : dividers_) {
+      if (divider.liesOn(a) && divider.liesOn(b)) shared.push_back({divider.curve(), kTangent});
+    }
+    return {faces_, a, b, std::move(shared), events_};
+  }
+
+  // Makes sections from the chains of the triangulations.
+  void followChains() {
+    std::map<std::pair<int, int>, std::vector<std::vector<Piercing>>> chains;
+    for (FaceChain& chain : faces_.chains())
+      chains[{chain.a, chain.b}].push_back(std::move(chain.points));
+    std::vector<Vector3d> ends;
+    for (const auto& [pair, found] : chains) {
+      SectionTracer tracer = tracerOf(pair.first, pair.second);
+      std::vector<FaceCurve>& sections = sections_[pair];
+      for (SectionTracer::Run& run : tracer.runsOf(found)) {
+        for (const bool isFirst : {true, false}) {
+          if (isFirst ? run.isFirstExact : run.isLastExact)
+            ends.push_back(isFirst ? run.points.front().at : run.points.back().at);
+        }
+        const gp_Pnt middle = pointOf(run.points[run.points.size() / 2].at);
+        const bool isKnown = std::any_of(
+            sections.begin(), sections.end(),
+            [&](const FaceCurve& known) { return isNear(middle, known.edge, kOneCurve); });
+        if (isKnown) continue;
+        const TopoDS_Edge edge = tracer.edgeAlong(std::move(run));
+        if (!edge.IsNull()) sections.push_back({edge, {pair.first, pair.second}});
+      }
+      ends.insert(ends.end(), tracer.ends().begin(), tracer.ends().end());
+    }
+    events_.insert(events_.end(), ends.begin(), ends.end());
+  }
+
+  // Makes the section through a point where a border or divider of face a passes through face b.
+  void startAt(int a, int b, const Vector3d& p, const std::array<Vector2d, 2>& on) {
+    if (faces_.areOfOneGroup(a, b)) return;
+    std::vector<FaceCurve>& sections = sections_[std::minmax(a, b)];
+    const bool isKnown = std::any_of(sections.begin(), sections.end(), [&](const FaceCurve& known) {
+      return isNear(pointOf(p), known.edge, kOneCurve);
+    });
+    if (isKnown) return;
+    const TopoDS_Edge edge = tracerOf(a, b).edgeThrough(p, on);
+    if (edge.IsNull()) return;
+    // Shorter curves along this one are parts of it.
+    sections.erase(std::remove_if(sections.begin(), sections.end(),
+                                  [&](const FaceCurve& known) {
+                                    return isNear(known.middle(), edge, kOneCurve);
+                                  }),
+                   sections.end());
+    sections.push_back({edge, {a, b}});
+  }
+
+  // Adds an event where a curve passes through a face. It is less certain, the smaller the sine of
+  // the angle is. Does nothing if it may be a known one.
+  void addEvent(const Vector3d& p, double sine) {
+    constexpr double kLargest = 1e-3;  // mm
+    const double uncertainty =
+        std::clamp(4 * kCurveBound / std::max(sine, kCurveBound), kSamePoint, kLargest);
+    for (std::size_t i = 0; i < events_.size(); ++i) {
+      if ((events_[i] - p).norm() < (i < certain_ ? uncertainty : kSamePoint)) return;
+    }
+    events_.push_back(p);
+  }
+
+  // Finds where a curve passes through faces on which it does not lie. `isStart`: whether sections
+  // begin there.
+  void addPiercings(const FaceCurve& curve, bool isStart) {
+    constexpr int kPieces = 100;
+    constexpr double kSlack = 0.05;  // of a piece
+    const BRepAdaptor_Curve along(curve.edge);
+    const double from = along.FirstParameter(), to = along.LastParameter(),
+                 piece = (to - from) / kPieces;
+    for (int i = 0; i < kPieces; ++i) {
+      const double start = from + i * piece, end = start + piece;
+      const auto near =
+          faces_.near(vectorOf(along.Value(start).XYZ()), vectorOf(along.Value(end).XYZ()));
+      for (const auto& [face, on] : near) {
+        if (curve.liesOn(face)) continue;
+        const auto found = throughFace(faces_, face, along, (start + end) / 2, on);
+        if (!found || found->first < start - kSlack * piece ||
+            found->first > end + kSlack * piece || found->first <= from || found->first >= to ||
+            !faces_.isInFace(face, found->second))
+          continue;
+        gp_Pnt p;
+        gp_Vec tangent;
+        along.D1(found->first, p, tangent);
+        const Vector3d at = vectorOf(p.XYZ());
+        addEvent(at, std::abs(faces_.jet(face, found->second)
+                                  .normal()
+                                  .dot(vectorOf(tangent.XYZ()).normalized())));
+        if (!isStart) continue;
+        for (const int f : curve.faces) {
+          const Handle(Geom2d_Curve) flat = faces_.curveOn(f, curve.edge);
+          if (flat.IsNull()) continue;
+          const gp_Pnt2d q = flat->Value(found->first);
+          startAt(f, face, at, {Vector2d(q.X(), q.Y()), found->second});
+        }
+      }
+    }
+  }
+
+  // Returns the parameters at which a curve is cut, with those of its ends.
+  std::vector<double> cutsOf(const FaceCurve& curve) const {
+    constexpr int kPieces = 64;
+    constexpr double kTwins = 5 * kSamePoint;
+    double from, to;
+    const Handle(Geom_Curve) along = BRep_Tool::Curve(curve.edge, from, to);
+    std::vector<Vector3d> polyline;
+    Eigen::AlignedBox3d box;
+    for (int i = 0; i <= kPieces; ++i) {
+      polyline.push_back(vectorOf(along->Value(from + (to - from) * i / kPieces).XYZ()));
+      box.extend(polyline.back());
+    }
+    const double margin = faces_.deflection() + 0.02 * box.diagonal().norm();
+    const auto mayBeOn = [&](const Vector3d& p) {
+      if (box.squaredExteriorDistance(p) > margin * margin) return false;
+      for (int i = 0; i < kPieces; ++i) {
+        const Vector3d step = polyline[i + 1] - polyline[i];
+        const double w = std::clamp((p - polyline[i]).dot(step) / step.squaredNorm(), 0.0, 1.0);
+        if ((polyline[i] + w * step - p).norm() < margin) return true;
+      }
+      return false;
+    };
+    std::vector<double> found{from};
+    for (const Vector3d& event : events_) {
+      if (!mayBeOn(event)) continue;
+      const GeomAPI_ProjectPointOnCurve foot(pointOf(event), along, from, to);
+      if (foot.NbPoints() > 0 && foot.LowerDistance() < kSamePoint)
+        found.push_back(foot.LowerDistanceParameter());
+    }
+    std::sort(found.begin(), found.end());
+    // Events at one place are one; the ends of the curve stay.
+    const auto areTwins = [&](double s, double t) {
+      return along->Value(s).Distance(along->Value(t)) < kTwins &&
+             along->Value(s).Distance(along->Value((s + t) / 2)) < kTwins;
+    };
+    std::vector<double> cuts{from};
+    for (const double t : found) {
+      if (!areTwins(cuts.back(), t)) cuts.push_back(t);
+    }
+    if (cuts.size() > 1 && areTwins(cuts.back(), to)) cuts.pop_back();
+    cuts.push_back(to);
+    return cuts;
+  }
+
+  // Cuts a curve at all events, and appends the parts that are edges of the swept volume.
+  void appendParts(const FaceCurve& curve, std::vector<SweptSection>& to) const {
+    const std::vector<double> cuts = cutsOf(curve);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      if (!isVisible(curve, cuts[i], cuts[i + 1])) continue;
+      TopoDS_Edge part = TopoDS::Edge(curve.edge.EmptyCopied());
+      BRep_Builder().Range(part, cuts[i], cuts[i + 1]);
+      to.push_back({part, curve.faces});
+    }
+  }
+
+  bool contains(const Vector3d& p) const { return sides_.interior().contains(p); }
+
+  // Returns whether the faces are tangent along a divider.
+  bool haveDivider(int a, int b) const {
+    return std::any_of(dividers_.begin(), dividers_.end(), [&](const FaceCurve& divider) {
+      return divider.liesOn(a) && divider.liesOn(b);
+    });
+  }
+
+  // Returns whether the middle of a part is on an edge of the swept volume; for a divider, whether
+  // it is on its surface.
+  bool isVisible(const FaceCurve& curve, double from, double to) const {
+    constexpr double kFraction = 0.05;  // of the length of the part
+    constexpr double kNearest = 2e-6;   // mm
+    const BRepAdaptor_Curve along(curve.edge);
+    const double t = (from + to) / 2;
+    gp_Pnt at;
+    gp_Vec forward;
+    along.D1(t, at, forward);
+    const double length = along.Value(from).Distance(at) + at.Distance(along.Value(to));
+    const double d = std::max(kNearest, std::min(sides_.distance(), kFraction * length));
+    const Vector3d p = vectorOf(at.XYZ()), tangent = vectorOf(forward.XYZ()).normalized();
+    std::vector<Vector3d> normals;
+    for (const int f : curve.faces) {
+      const Handle(Geom2d_Curve) flat = faces_.curveOn(f, curve.edge);
+      if (flat.IsNull()) return true;
+      const gp_Pnt2d on = flat->Value(t);
+      normals.push_back(faces_.jet(f, {on.X(), on.Y()}).normal());
+    }
+    if (curve.isDivider) {
+      const Vector3d normal = normals.front(), side = normal.cross(tangent).normalized();
+      int inside = 0;
+      for (const Vector3d& off : {normal, Vector3d(-normal), side, Vector3d(-side)})
+        inside += contains(p + d * off);
+      return inside > 0 && inside < 4;
+    }
+    // Samples cannot tell whether two faces that are nearly tangent form an edge.
+    constexpr double kTooFlat = 0.02;
+    if (normals[0].cross(normals[1]).norm() < kTooFlat &&
+        !haveDivider(curve.faces[0], curve.faces[1]))
+      return !contains(p + d * normals[0]) || !contains(p - d * normals[0]);
+    return doBothEnd(p, d, normals[0].cross(tangent).normalized(),
+                     normals[1].cross(tangent).normalized());
+  }
+
+  // Returns whether both faces bound the swept volume beside the point. Of a face that does not,
+  // the samples on both sides agree. `a`, `b`: directions in the faces.
+  bool doBothEnd(const Vector3d& p, double distance, const Vector3d& a, const Vector3d& b) const {
+    constexpr double kThinSector = 0.01;
+    const auto sector = [&](const Vector3d& u, const Vector3d& v) {
+      const double sine = std::max(kThinSector, (u - v).norm() / 2);
+      return contains(p + (u + v).normalized() * (distance / sine));
+    };
+    // The four sectors between the faces, in their order around the edge.
+    const bool first = sector(a, b), second = sector(b, -a), third = sector(-a, -b),
+               fourth = sector(-b, a);
+    const bool isA = first != fourth || second != third, isB = first != second || third != fourth;
+    return isA && isB;
+  }
+
+  // mm: curves of the same two faces that are nearer than this are one.
+  static constexpr double kOneCurve = 1e-4;
+
+  const MeshedFaces faces_;
+  const Sides& sides_;
+  std::vector<FaceCurve> dividers_;
+  std::map<std::pair<int, int>, std::vector<FaceCurve>> sections_;  // by two faces
+  std::vector<Vector3d> events_;
+  std::size_t certain_ = 0;  // events with a smaller index are more certain than new ones
+};
+
+}  // namespace
+
+std::vector<SweptSection> meshSections(const std::vector<SweptFace>& faces,
+                                       const std::vector<SweptSection>& dividers,
+                                       const std::vector<gp_Pnt>& crossings, const Sides& sides) {
+  return Finder(faces, sides).find(dividers, crossings);
+}
+
+}  // namespace swept::step

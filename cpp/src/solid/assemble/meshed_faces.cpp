@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/meshed_faces.h"
+
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "solid/assemble/kernel_geometry.h"
+
+namespace swept::step {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+// Returns where the segment passes through the triangle: its fraction, and the weights of the
+// second and third corner (Moller and Trumbore 1997).
+std::optional<Vector3d> pierce(const Vector3d& from, const Vector3d& to, const Vector3d& a,
+                               const Vector3d& b, const Vector3d& c) {
+  const Vector3d along = to - from, ab = b - a, ac = c - a, p = along.cross(ac);
+  const double determinant = ab.dot(p);
+  if (determinant == 0) return std::nullopt;
+  const Vector3d off = from - a, q = off.cross(ab);
+  const double u = off.dot(p) / determinant, v = along.dot(q) / determinant,
+               t = ac.dot(q) / determinant;
+  if (u < 0 || v < 0 || u + v > 1 || t < 0 || t > 1) return std::nullopt;
+  return Vector3d(t, u, v);
+}
+
+}  // namespace
+
+struct MeshedFaces::FoundPiercing {
+  // Face and two nodes of the edge, face and triangle. A shared node has the face -1.
+  std::tuple<int, int, int, int, int> key;
+  Piercing piercing;
+};
+
+// The piercings of two faces, and the segments that join two of them each.
+struct MeshedFaces::PairChains {
+  std::map<std::tuple<int, int, int, int, int>, int> index;
+  std::vector<Piercing> piercings;
+  std::vector<std::array<int, 2>> segments;
+
+  int add(const FoundPiercing& found) {
+    const auto [it, isNew] = index.emplace(found.key, static_cast<int>(piercings.size()));
+    if (isNew) piercings.push_back(found.piercing);
+    return it->second;
+  }
+
+  // Follows the segments from piercing to piercing; first from ends and branches.
+  std::vector<std::vector<Piercing>> follow() const {
+    std::vector<std::vector<int>> at(piercings.size());
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+      for (const int p : segments[s]) at[p].push_back(static_cast<int>(s));
+    }
+    std::vector<char> used(segments.size());
+    std::vector<std::vector<Piercing>> chains;
+    for (const bool isOpen : {true, false}) {
+      for (std::size_t p = 0; p < at.size(); ++p) {
+        if (isOpen && at[p].size() == 2) continue;
+        for (const int first : at[p]) {
+          if (used[first]) continue;
+          std::vector<Piercing>& chain = chains.emplace_back(1, piercings[p]);
+          int here = static_cast<int>(p), segment = first;
+          while (!used[segment]) {
+            used[segment] = 1;
+            here = segments[segment][segments[segment][0] == here ? 1 : 0];
+            chain.push_back(piercings[here]);
+            if (at[here].size() != 2) break;
+            segment = used[at[here][0]] ? at[here][1] : at[here][0];
+          }
+        }
+      }
+    }
+    return chains;
+  }
+};
+
+MeshedFaces::MeshedFaces(const std::vector<SweptFace>& faces, double deflection)
+    : given_(faces), deflection_(deflection) {
+  const BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (const SweptFace& face : faces) builder.Add(all, face.face);
+  constexpr double kAngle = 0.1;
+  BRepMesh_IncrementalMesh(all, deflection, Standard_False, kAngle);
+  TopExp::MapShapes(all, TopAbs_EDGE, edges_);
+  std::map<std::array<long long, 3>, int> nodes;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    faces_.push_back(meshOf(faces[f].face, nodes));
+    for (std::size_t t = 0; t < faces_[f].triangles.size(); ++t)
+      triangles_.emplace_back(static_cast<int>(f), static_cast<int>(t));
+  }
+  tree_ = BoxTree(triangles_.size(), [&](std::size_t i) { return boxOf(triangles_[i]); });
+}
+
+MeshedFaces::Meshed MeshedFaces::meshOf(const TopoDS_Face& face,
+                                        std::map<std::array<long long, 3>, int>& nodes) const {
+  Meshed mesh;
+  mesh.surface = BRep_Tool::Surface(face);
+  TopLoc_Location place;
+  const Handle(Poly_Triangulation) made = BRep_Tool::Triangulation(face, place);
+  if (made.IsNull()) return mesh;
+  for (int i = 1; i <= made->NbNodes(); ++i) {
+    const Vector3d p = vectorOf(made->Node(i).Transformed(place.Transformation()).XYZ());
+    mesh.nodes.push_back(p);
+    mesh.parameters.emplace_back(made->UVNode(i).X(), made->UVNode(i).Y());
+    constexpr double kSame = 1e-6;  // mm
+    std::array<long long, 3> cell;
+    for (int k = 0; k < 3; ++k) cell[k] = std::llround(p[k] / kSame);
+    mesh.shared.push_back(nodes.emplace(cell, static_cast<int>(nodes.size())).first->second);
+  }
+  for (int i = 1; i <= made->NbTriangles(); ++i) {
+    int a, b, c;
+    made->Triangle(i).Get(a, b, c);
+    mesh.triangles.push_back({a - 1, b - 1, c - 1});
+  }
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const int e = edges_.FindIndex(it.Current());
+    mesh.edges.insert(e);
+    const auto polygon = BRep_Tool::PolygonOnTriangulation(TopoDS::Edge(it.Current()), made, place);
+    if (polygon.IsNull()) continue;
+    const TColStd_Array1OfInteger& along = polygon->Nodes();
+    for (int i = along.Lower(); i < along.Upper(); ++i)
+      mesh.borders[std::minmax(along(i) - 1, along(i + 1) - 1)] = e;
+  }
+  return mesh;
+}
+
+BoxTree::Bounds MeshedFaces::boxOf(const Triangle& t) const {
+  BoxTree::Bounds box;
+  for (const int n : corners(t)) box.extend(faces_[t.first].nodes[n]);
+  return box;
+}
+
+bool MeshedFaces::haveCommonEdge(int f, int g) const {
+  return std::any_of(faces_[f].edges.begin(), faces_[f].edges.end(),
+                     [&](int e) { return hasEdge(g, e); });
+}
+
+bool MeshedFaces::isCommonVertex(int f, int g, const Vector3d& p) const {
+  constexpr double kAtVertex = 1e-3;  // mm
+  TopTools_IndexedMapOfShape vertices;
+  TopExp::MapShapes(face(f), TopAbs_VERTEX, vertices);
+  for (TopExp_Explorer it(face(g), TopAbs_VERTEX); it.More(); it.Next()) {
+    if (vertices.Contains(it.Current()) &&
+        BRep_Tool::Pnt(TopoDS::Vertex(it.Current())).Distance(pointOf(p)) < kAtVertex)
+      return true;
+  }
+  return false;
+}
+
+bool MeshedFaces::areOfOneGroup(int f, int g) const {
+  return given_[f].group != SweptFace::kAlone && given_[f].group == given_[g].group;
+}
+
+Jet MeshedFaces::jet(int f, const Vector2d& on) const {
+  gp_Pnt p;
+  gp_Vec u, v;
+  faces_[f].surface->D1(on.x(), on.y(), p, u, v);
+  return {vectorOf(p.XYZ()), vectorOf(u.XYZ()), vectorOf(v.XYZ())};
+}
+
+bool MeshedFaces::isInFace(int f, const Vector2d& on) const {
+  // Counts the segments of the border between the point and a point far away. The borders of
+  // polyhedra and of what their edges sweep are straight in the parameters.
+  bool isInside = false;
+  const Meshed& mesh = faces_[f];
+  for (const auto& [nodes, edge] : mesh.borders) {
+    const Vector2d &a = mesh.parameters[nodes.first], &b = mesh.parameters[nodes.second];
+    if ((a.y() <= on.y()) == (b.y() <= on.y())) continue;
+    const double x = a.x() + (on.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    isInside ^= x > on.x();
+  }
+  return isInside;
+}
+
+Handle(Geom2d_Curve) MeshedFaces::curveOn(int f, const TopoDS_Edge& edge) const {
+  double from, to;
+  return BRep_Tool::CurveOnSurface(edge, face(f), from, to);
+}
+
+// Appends the piercings of edges of triangle s with triangle t. `side`: which face s is of.
+void MeshedFaces::pierceEdges(const Triangle& s, const Triangle& t, int side, int sharedNode,
+                              std::vector<FoundPiercing>& to) const {
+  const Meshed &f = faces_[s.first], &g = faces_[t.first];
+  const std::array<int, 3>&ends = corners(s), &other = corners(t);
+  for (int k = 0; k < 3; ++k) {
+    const auto [low, high] = std::minmax(ends[k], ends[(k + 1) % 3]);
+    if (sharedNode >= 0 && (f.shared[low] == sharedNode || f.shared[high] == sharedNode)) continue;
+    const auto hit = pierce(f.nodes[low], f.nodes[high], g.nodes[other[0]], g.nodes[other[1]],
+                            g.nodes[other[2]]);
+    if (!hit) continue;
+    FoundPiercing& found = to.emplace_back();
+    found.key = {s.first, low, high, t.first, t.second};
+    const double w = (*hit)[0], v1 = (*hit)[1], v2 = (*hit)[2];
+    found.piercing.at = f.nodes[low] + w * (f.nodes[high] - f.nodes[low]);
+    found.piercing.on[side] = f.parameters[low] + w * (f.parameters[high] - f.parameters[low]);
+    found.piercing.on[1 - side] = (1 - v1 - v2) * g.parameters[other[0]] +
+                                  v1 * g.parameters[other[1]] + v2 * g.parameters[other[2]];
+    const auto border = f.borders.find({low, high});
+    if (border == f.borders.end()) continue;
+    found.piercing.border = border->second;
+    found.piercing.borderSide = side;
+    if (g.edges.count(border->second) != 0) to.pop_back();  // it lies on the other face, too
+  }
+}
+
+std::vector<MeshedFaces::FoundPiercing> MeshedFaces::piercingsOf(const Triangle& s,
+                                                                 const Triangle& t) const {
+  const Meshed &f = faces_[s.first], &g = faces_[t.first];
+  std::vector<FoundPiercing> found;
+  std::vector<std::pair<int, int>> common;
+  for (const int a : corners(s)) {
+    for (const int b : corners(t)) {
+      if (f.shared[a] == g.shared[b]) common.emplace_back(a, b);
+    }
+  }
+  if (common.size() > 1) return found;
+  const int node = common.empty() ? -1 : f.shared[common.front().first];
+  pierceEdges(s, t, 0, node, found);
+  pierceEdges(t, s, 1, node, found);
+  if (node >= 0 && found.size() == 1) {
+    FoundPiercing& end = found.emplace_back();
+    const auto [a, b] = common.front();
+    end.key = {-1, node, 0, 0, 0};
+    end.piercing.isNode = true;
+    end.piercing.at = f.nodes[a];
+    end.piercing.on = {f.parameters[a], g.parameters[b]};
+  }
+  return found;
+}
+
+std::vector<FaceChain> MeshedFaces::chains() const {
+  std::map<std::pair<int, int>, PairChains> pairs;
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const Triangle& s = triangles_[i];
+    const BoxTree::Bounds box = boxOf(s);
+    tree_.forBox(box.low, box.high, [&](std::uint32_t place) {
+      const std::size_t j = tree_.item(place);
+      const Triangle& t = triangles_[j];
+      if (j <= i || t.first == s.first || areOfOneGroup(s.first, t.first)) return;
+      const std::vector<FoundPiercing> found = piercingsOf(s, t);
+      if (found.size() != 2) return;
+      PairChains& pair = pairs[{s.first, t.first}];
+      const int from = pair.add(found[0]), to = pair.add(found[1]);
+      pair.segments.push_back({from, to});
+    });
+  }
+  std::vector<FaceChain> result;
+  for (const auto& [faces, pair] : pairs) {
+    for (std::vector<Piercing>& chain : pair.follow())
+      result.push_back({faces.first, faces.second, std::move(chain)});
+  }
+  return result;
+}
+
+std::map<int, Vector2d> MeshedFaces::near(const Vector3d& from, const Vector3d& to) const {
+  std::map<int, Vector2d> result;
+  std::map<int, double> distances;
+  constexpr double kMargin = 4;  // times the deflection
+  const Vector3d margin = Vector3d::Constant(kMargin * deflection_), middle = (from + to) / 2;
+  tree_.forBox(from.cwiseMin(to) - margin, from.cwiseMax(to) + margin, [&](std::uint32_t place) {
+    const Triangle& t = triangles_[tree_.item(place)];
+    const Meshed& mesh = faces_[t.first];
+    Vector3d centre = Vector3d::Zero();
+    Vector2d on = Vector2d::Zero();
+    for (const int n : corners(t)) {
+      centre += mesh.nodes[n] / 3;
+      on += mesh.parameters[n] / 3;
+    }
+    const double distance = (centre - middle).norm();
+    const auto [it, isNew] = distances.emplace(t.first, distance);
+    if (!isNew && it->second <= distance) return;
+    it->second = distance;
+    result[t.first] = on;
+  });
+  return result;
+}
+
+}  // namespace swept::step
