@@ -1,5 +1,5 @@
 // Solids whose faces come from the faces and edges of the body: a body from a STEP file that moves
-// along straight lines, or turns about a fixed axis.
+// along straight lines or turns about a fixed axis, and polyhedra along any motion.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -49,10 +49,18 @@ class BodySolid : public testing::Test {
     motion_.poses.back().rotation = lastTurn;
     motion_.pivot = pivot_;
     for (Pose& pose : motion_.poses) pose.translation += pivot_ - pose.rotation * pivot_;
+    compute();
+  }
+
+  void compute() {
     Options options;
     options.resolution = resolution_;
-    result_ = compute(body_.mesh, motion_, options, run_);
+    result_ = swept::compute(body_.mesh, motion_, options, run_);
     ASSERT_EQ(result_.report.status, Status::Ok) << result_.report.message;
+  }
+
+  static Eigen::Quaterniond turned(double angle, const Vector3d& axis) {
+    return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis.normalized()));
   }
 
   SolidOptions optionsWithOrigin() const {
@@ -94,6 +102,13 @@ class BodySolid : public testing::Test {
     EXPECT_TRUE(judged_.valid);
     EXPECT_TRUE(judged_.faults.empty()) << (judged_.details.empty() ? "" : judged_.details.front());
     EXPECT_LE(judged_.blockError, 1e-6);
+  }
+
+  // Does the same, and tests that all edges lie on their faces.
+  void expectExactFaces() {
+    expectFacesOfTheSweep();
+    EXPECT_LE(judged_.edgeTolerance, 1e-6);
+    EXPECT_NEAR(judged_.volume, meshVolume(result_.mesh), 1e-3 * judged_.volume);
   }
 
   const Eigen::Quaterniond none_ = Eigen::Quaterniond::Identity();
@@ -177,10 +192,43 @@ TEST_F(BodySolid, BoxThatTurnsAboutAnAxisBesideIt) {
             judged_.faces);
 }
 
-TEST_F(BodySolid, ATurnGivesNoWorseSolidThanBefore) {
+TEST_F(BodySolid, BoxThatTurnsWhileItMoves) {
   readBodyOf(boxMesh(12, 8, 5));
-  sweep({{0, 0, 0}, {7, 4, 9}},
-        Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Vector3d(1, 2, 3).normalized())));
+  sweep({{0, 0, 0}, {7, 4, 9}}, turned(0.4, {1, 2, 3}));
+  expectExactFaces();
+  EXPECT_EQ(kinds_["plane"], 6);
+  EXPECT_EQ(kinds_["sheet"], judged_.faces - 6);
+}
+
+// Faces of the first step end at faces of the second one, and faces graze the envelope.
+TEST_F(BodySolid, BoxAlongThreeKeysThatTurn) {
+  readBodyOf(boxMesh(12, 8, 5));
+  sweep({{0, 0, 0}, {11, 4, 9}, {13, 19, 7}}, turned(0.9, {-1, 2, 1}));
+  motion_.poses[1].rotation = turned(0.5, {1, 0.3, 2});
+  compute();
+  expectExactFaces();
+  EXPECT_LE(judged_.faces, 35);
+}
+
+TEST_F(BodySolid, BodyWithAConcaveEdgeThatTurnsAboutAPivot) {
+  readBodyOf(voxelMesh([](int x, int y, int) { return x < 4 || y < 3; }, 12, 9, 5, 1.0));
+  pivot_ = {3, -2, 1};
+  sweep({{0, 0, 0}, {3, 14, 6}}, turned(0.6, {2, -1, 1}));
+  expectExactFaces();
+}
+
+TEST_F(BodySolid, BoxAlongAScrewWithARest) {
+  readBodyOf(boxMesh(12, 8, 5));
+  sweep({{0, 0, 0}, {0, 0, 0}, {9, 3, 14}}, turned(0.7, {1, 2, 5}));
+  motion_.interpolation = Interpolation::Screw;
+  compute();
+  expectExactFaces();
+}
+
+// In such a step, a face slides within its plane. Its surfaces are recognised in the mesh.
+TEST_F(BodySolid, ATurnWithinAPlaneIsNoError) {
+  readBodyOf(boxMesh(12, 8, 5));
+  sweep({{0, 0, 0}, {17, 4, 0}}, turned(0.4, {0, 0, 1}));
   const SolidOptions options = optionsWithOrigin();
   const WrittenSolid report = write(options);
   EXPECT_TRUE(judged_.valid);

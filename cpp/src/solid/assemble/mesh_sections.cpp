@@ -4,6 +4,7 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
+#include <Message_ProgressScope.hxx>
 #include <TopExp.hxx>
 #include <algorithm>
 #include <cmath>
@@ -56,20 +57,22 @@ class Finder {
       : faces_(faces, kTriangleDeflection * sides.detail()), sides_(sides) {}
 
   std::vector<SweptSection> find(const std::vector<SweptSection>& dividers,
-                                 const std::vector<gp_Pnt>& crossings) {
+                                 const std::vector<gp_Pnt>& crossings,
+                                 const Message_ProgressRange& progress) {
     for (const SweptSection& divider : dividers)
       dividers_.push_back({divider.edge, divider.faces, true});
     addVertices(crossings);
     certain_ = events_.size();
-    followChains();
-    for (const FaceCurve& curve : borders()) addPiercings(curve, true);
-    for (const FaceCurve& curve : dividers_) addPiercings(curve, true);
+    Message_ProgressScope scope(progress, "", 4);
+    followChains(scope.Next());
+    addPiercings(borders(), true, scope.Next());
+    addPiercings(dividers_, true, scope.Next());
     certain_ = events_.size();
-    for (const FaceCurve& curve : dividers_) addPiercings(curve, false);
     std::vector<FaceCurve> sections;
     for (const auto& [pair, found] : sections_)
       sections.insert(sections.end(), found.begin(), found.end());
-    for (const FaceCurve& curve : sections) addPiercings(curve, false);
+    addPiercings(sections, false, scope.Next());
+    if (scope.UserBreak()) return {};
     std::vector<SweptSection> result;
     for (const FaceCurve& curve : dividers_) appendParts(curve, result);
     for (const FaceCurve& curve : sections) appendParts(curve, result);
@@ -119,12 +122,15 @@ class Finder {
   }
 
   // Makes sections from the chains of the triangulations.
-  void followChains() {
+  void followChains(const Message_ProgressRange& progress) {
     std::map<std::pair<int, int>, std::vector<std::vector<Piercing>>> chains;
     for (FaceChain& chain : faces_.chains())
       chains[{chain.a, chain.b}].push_back(std::move(chain.points));
     std::vector<Vector3d> ends;
+    Message_ProgressScope scope(progress, "", static_cast<double>(chains.size()));
     for (const auto& [pair, found] : chains) {
+      if (scope.UserBreak()) return;
+      scope.Next();
       SectionTracer tracer = tracerOf(pair.first, pair.second);
       std::vector<FaceCurve>& sections = sections_[pair];
       for (SectionTracer::Run& run : tracer.runsOf(found)) {
@@ -174,6 +180,16 @@ class Finder {
       if ((events_[i] - p).norm() < (i < certain_ ? uncertainty : kSamePoint)) return;
     }
     events_.push_back(p);
+  }
+
+  void addPiercings(const std::vector<FaceCurve>& curves, bool isStart,
+                    const Message_ProgressRange& progress) {
+    Message_ProgressScope scope(progress, "", static_cast<double>(curves.size()));
+    for (const FaceCurve& curve : curves) {
+      if (scope.UserBreak()) return;
+      addPiercings(curve, isStart);
+      scope.Next();
+    }
   }
 
   // Finds where a curve passes through faces on which it does not lie. `isStart`: whether sections
@@ -343,8 +359,9 @@ class Finder {
 
 std::vector<SweptSection> meshSections(const std::vector<SweptFace>& faces,
                                        const std::vector<SweptSection>& dividers,
-                                       const std::vector<gp_Pnt>& crossings, const Sides& sides) {
-  return Finder(faces, sides).find(dividers, crossings);
+                                       const std::vector<gp_Pnt>& crossings, const Sides& sides,
+                                       const Message_ProgressRange& progress) {
+  return Finder(faces, sides).find(dividers, crossings, progress);
 }
 
 }  // namespace swept::step

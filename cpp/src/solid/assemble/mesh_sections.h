@@ -17,6 +17,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Message_ProgressRange.hxx>
 #include <gp_Pnt.hxx>
 #include <vector>
 
@@ -26,8 +27,10 @@
 
 namespace swept::step {
 
+/// Returns nothing if the user cancels.
 std::vector<SweptSection> meshSections(const std::vector<SweptFace>& faces,
                                        const std::vector<SweptSection>& dividers,
-                                       const std::vector<gp_Pnt>& crossings, const Sides& sides);
+                                       const std::vector<gp_Pnt>& crossings, const Sides& sides,
+                                       const Message_ProgressRange& progress);
 
 }  // namespace swept::step

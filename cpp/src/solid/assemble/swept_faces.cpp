@@ -37,6 +37,9 @@ using Eigen::Vector3d;
 
 /// Number of faces of the body times number of moves. With more, the kernel would take minutes.
 constexpr std::size_t kMaxFaces = 2000;
+/// The same if the body moves and turns at the same time: a star of 12 faces takes 3 s for each
+/// step, and the time grows with the square of the number.
+constexpr std::size_t kMaxTurningFaces = 120;
 /// Shorter moves (mm) and smaller turns (rad) are no motion.
 constexpr double kNoMove = 1e-9, kNoTurn = 1e-10;
 
@@ -193,23 +196,46 @@ std::optional<std::vector<Move>> movesOf(const Trajectory& trajectory) {
   return moves;
 }
 
-bool isGeneral(const BodyShape& body, const Trajectory& trajectory) {
-  return trajectory.interpolation != Interpolation::None && trajectory.poses.size() >= 2 &&
-         !movesOf(trajectory) && isPolyhedron(body.shape);
+std::size_t faceCount(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  return faces.Extent();
 }
 
-// Faces for motions with steps in which the body moves and turns at the same time.
-SweptFaces generalFaces(const BodyShape& body, const Trajectory& trajectory, const Sides& sides) {
+// Returns the trajectory without steps in which the body is at rest.
+Trajectory withoutRests(Trajectory trajectory) {
+  std::vector<Pose> moving;
+  for (const Pose& pose : trajectory.poses) {
+    if (!moving.empty()) {
+      const auto move = moveOf(moving.back(), pose, trajectory.interpolation);
+      if (move && move->isRest()) continue;
+    }
+    moving.push_back(pose);
+  }
+  trajectory.poses = std::move(moving);
+  return trajectory;
+}
+
+// Returns whether the body is a polyhedron that, in some step, moves and turns at the same time.
+bool canTurn(const BodyShape& body, const Trajectory& trajectory) {
+  return trajectory.interpolation != Interpolation::None && trajectory.poses.size() >= 2 &&
+         faceCount(body.shape) * (trajectory.poses.size() - 1) <= kMaxTurningFaces &&
+         isPolyhedron(body.shape) && isOneSolid(body.shape);
+}
+
+SweptFaces facesOfTurns(const BodyShape& body, const Trajectory& trajectory, const Sides& sides,
+                        const Message_ProgressRange& progress) {
+  constexpr double kExact = 2e-6;  // mm; neither the faces nor their sections are less exact
   const Vector3d pivot = pivotOf(trajectory);
   gp_Trsf toPivot;
   toPivot.SetTranslation(vecOf(-pivot));
   const TopoDS_Shape seen = BRepBuilderAPI_Transform(body.shape, toPivot, Standard_True).Shape();
-  const auto made = turningFaces(seen, carriedByPivot(trajectory, pivot));
+  const auto made = turningFaces(seen, withoutRests(carriedByPivot(trajectory, pivot)));
   if (!made) return {};
   SweptFaces result;
   result.faces = made->faces;
-  result.sections = meshSections(made->faces, made->dividers, made->crossings, sides);
-  result.near = 2e-6;
+  result.sections = meshSections(made->faces, made->dividers, made->crossings, sides, progress);
+  result.near = kExact;
   result.canFuse = false;
   return result;
 }
@@ -217,16 +243,15 @@ SweptFaces generalFaces(const BodyShape& body, const Trajectory& trajectory, con
 }  // namespace
 
 bool canSweepFaces(const BodyShape& body, const Trajectory& trajectory) {
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(body.shape, TopAbs_FACE, faces);
-  return trajectory.poses.size() * faces.Extent() <= kMaxFaces + faces.Extent() &&
-         (movesOf(trajectory).has_value() || isGeneral(body, trajectory));
+  if (!movesOf(trajectory)) return canTurn(body, trajectory);
+  return faceCount(body.shape) * (trajectory.poses.size() - 1) <= kMaxFaces;
 }
 
 SweptFaces sweptFaces(const BodyShape& body, const Trajectory& trajectory, const Sides& sides,
                       const Message_ProgressRange& progress) {
-  if (isGeneral(body, trajectory)) return generalFaces(body, trajectory, sides);
-  const std::vector<Move> moves = movesOf(trajectory).value_or(std::vector<Move>());
+  const auto simple = movesOf(trajectory);
+  if (!simple) return facesOfTurns(body, trajectory, sides, progress);
+  const std::vector<Move>& moves = *simple;
   const auto isMoving = [](const Move& move) { return !move.isRest(); };
   const bool isSingle = std::count_if(moves.begin(), moves.end(), isMoving) == 1;
   SweptFaces faces;

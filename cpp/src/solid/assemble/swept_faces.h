@@ -1,7 +1,7 @@
 // Makes the faces of which the envelope of a moving body may consist: faces of the body at poses,
 // and the surfaces that its edges and contact curves sweep.
 // In:      the body; a trajectory whose steps are straight moves without turning, or turns about a
-//          fixed axis.
+//          fixed axis. For a polyhedron, any trajectory.
 // Out:     kernel faces in world coordinates. They intersect, and parts of them lie inside the
 //          swept volume; assemble.h finds the parts on its surface.
 // Units:   mm.
@@ -10,7 +10,7 @@
 //          contact curves (contact_edges.h) stay the same curves of the body during the step. The
 //          envelope of a step consists of the parts of the body that move inward at its start, the
 //          parts that move outward at its end, and what the edges between the two kinds of parts
-//          sweep: planes, cylinders, extrusions, revolutions.
+//          sweep: planes, cylinders, extrusions, revolutions. For other steps see turning_faces.h.
 // Source:  Abdel-Malek, Blackmore and Joy 2006.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -41,13 +41,13 @@ struct SweptFaces {
   /// mm: points of sections that are nearer than this are one vertex. Bodies from files are exact
   /// to about this length.
   double near = 1e-4;
-  /// Whether the kernel's general fuse may find the sections. It takes minutes for faces that are
+  /// Whether the kernel's general fuse may find other sections. It takes minutes for faces that are
   /// splines.
   bool canFuse = true;
 };
 
-/// Returns whether all steps of the trajectory are of these kinds, and the body has few enough
-/// faces (faces times steps up to 2,000).
+/// Returns whether the motion and the body are of these kinds, and the body has few enough faces
+/// (faces times steps up to 2,000; up to 120 if it moves and turns at the same time).
 bool canSweepFaces(const BodyShape& body, const Trajectory& trajectory);
 
 /// `sides`: of the same sweep. Empty if the kernel fails.
