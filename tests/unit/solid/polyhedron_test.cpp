@@ -3,11 +3,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/assemble/polyhedron.h"
 
+#include <gtest/gtest.h>
+
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -56,8 +56,7 @@ TEST(Polyhedron, HasNoCurvedFace) {
 }
 
 TEST(Zeros, AreFoundInOrder) {
-  const std::vector<double> zeros =
-      zerosOf([](double t) { return std::cos(10 * t); }, {0, 1});
+  const std::vector<double> zeros = zerosOf([](double t) { return std::cos(10 * t); }, {0, 1});
   ASSERT_EQ(zeros.size(), 3u);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(zeros[i], (0.5 + i) * M_PI / 10, 1e-12);
   EXPECT_TRUE(zerosOf([](double t) { return 1 + t; }, {0, 1}).empty());

@@ -1,0 +1,147 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Makes solids of bodies with plane faces that move along random motions and turn at the same time.
+
+Half of the motions have two keys, the others three. Each key is 20 to 70 mm from the one before it,
+and turned by 10 to 60 degrees. Prints a row for each solid that contains facets or is not valid, then
+for each body: the number of motions, of solids without facets, their faces, and the largest B-rep
+tolerance and deviation.
+
+Usage: turning_suite.py BUILD [COUNT] [BODY...]
+COUNT: motions for each body (default 25). BODY: box, ell, star or prism (default: all).
+Ends with 1 if a solid is missing or not valid.
+"""
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+
+RESOLUTION, TOLERANCE, SEED = 64, 0.1, 2026
+
+
+def polygon(corners, radii):
+    return [
+        (radii[i % len(radii)] * math.cos(a), radii[i % len(radii)] * math.sin(a))
+        for i, a in enumerate(2 * math.pi * np.arange(corners) / corners)
+    ]
+
+
+# Each body is a prism: its base (mm), counter-clockwise, and its height (mm).
+BODIES = {
+    "box": ([(0, 0), (40, 0), (40, 25), (0, 25)], 15),
+    "ell": ([(0, 0), (40, 0), (40, 12), (12, 12), (12, 30), (0, 30)], 15),
+    "star": (polygon(10, (20, 9)), 10),
+    "prism": (polygon(7, (15,)), 30),
+}
+
+
+def triangles_of(base):
+    """Returns the triangles of a simple polygon, by cutting off ears."""
+    left = list(range(len(base)))
+    points = np.array(base, float)
+    triangles = []
+
+    def cross(a, b, c):
+        u, v = points[b] - points[a], points[c] - points[a]
+        return u[0] * v[1] - u[1] * v[0]
+
+    while len(left) > 3:
+        for k in range(len(left)):
+            a, b, c = left[k - 1], left[k], left[(k + 1) % len(left)]
+            others = [p for p in left if p not in (a, b, c)]
+            inside = [
+                p for p in others if min(cross(a, b, p), cross(b, c, p), cross(c, a, p)) >= 0
+            ]
+            if cross(a, b, c) > 0 and not inside:
+                triangles.append((a, b, c))
+                left.pop(k)
+                break
+    return triangles + [tuple(left)]
+
+
+def write_body(file, base, height):
+    n = len(base)
+    caps = triangles_of(base)
+    faces = [(c, b, a) for a, b, c in caps] + [(a + n, b + n, c + n) for a, b, c in caps]
+    for i in range(n):
+        j = (i + 1) % n
+        faces += [(i, j, j + n), (i, j + n, i + n)]
+    lines = ["OFF", f"{2 * n} {len(faces)} 0"]
+    lines += [f"{x!r} {y!r} {z}" for z in (0, height) for x, y in base]
+    lines += [f"3 {a} {b} {c}" for a, b, c in faces]
+    file.write_text("\n".join(lines) + "\n")
+
+
+def product(p, q):
+    """Returns the product of two quaternions (x, y, z, w)."""
+    u, v = np.array(p[:3]), np.array(q[:3])
+    return np.append(p[3] * v + q[3] * u + np.cross(u, v), p[3] * q[3] - u @ v)
+
+
+def random_motions(count):
+    rng = np.random.default_rng(SEED)
+    for case in range(count):
+        place, turn = np.zeros(3), np.array([0, 0, 0, 1.0])
+        rows = [[0, *place, *turn]]
+        for key in range(1 + case % 2):
+            step = rng.normal(size=3)
+            place = place + step / np.linalg.norm(step) * rng.uniform(20, 70)
+            axis, angle = rng.normal(size=3), math.radians(rng.uniform(10, 60))
+            half = np.append(math.sin(angle / 2) * axis / np.linalg.norm(axis), math.cos(angle / 2))
+            turn = product(half, turn)
+            rows.append([key + 1, *place, *turn])
+        yield np.array(rows)
+
+
+def run(words):
+    return subprocess.run([str(word) for word in words], capture_output=True, text=True)
+
+
+def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    program = pathlib.Path(sys.argv[1]) / "bin" / "swept"
+    count = int(sys.argv[2]) if len(sys.argv) > 2 else 25
+    failed = 0
+    table = []
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for body in sys.argv[3:] or BODIES:
+            mesh, part = folder / f"{body}.off", folder / f"{body}.step"
+            write_body(mesh, *BODIES[body])
+            made = run([program, "solid", mesh, "--output", part, "--exact"])
+            if made.returncode != 0:
+                sys.exit(made.stderr)
+            exact = []
+            for case, rows in enumerate(random_motions(count)):
+                motion, report = folder / "motion.csv", folder / "report.json"
+                np.savetxt(motion, rows, fmt="%.17g", delimiter=",")
+                words = ["--output", folder / "envelope.step", "--report", report, "--quiet"]
+                words += ["--resolution", RESOLUTION, "--solid-tolerance", TOLERANCE]
+                made = run([program, "envelope", part, "--motion", motion] + words)
+                solid = json.loads(report.read_text()).get("solid") if made.returncode == 0 else None
+                if solid is None or not solid["valid"]:
+                    failed += 1
+                    print(body, case, "FAILED", made.stderr[-200:], flush=True)
+                elif solid["faces_by_kind"].get("facet", 0):
+                    print(body, case, "facets:", solid["faces_by_kind"]["facet"], flush=True)
+                else:
+                    exact.append(solid)
+            row = [body, count, len(exact)]
+            if exact:
+                faces = [solid["faces"] for solid in exact]
+                row.append(f"{min(faces)} to {max(faces)}")
+                row += [f"{max(s[key] for s in exact):.2g}" for key in ("edge_tolerance", "deviation")]
+            table.append(row)
+    print("| body | motions | without facets | faces | B-rep tolerance, mm | deviation, mm |")
+    for row in table:
+        print("|", " | ".join(map(str, row)), "|")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()
