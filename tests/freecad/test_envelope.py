@@ -352,6 +352,33 @@ class SolidAndFiles(Computed):
         inside.Placement = group.Placement.multiply(inside.Placement)
         self.assertAlmostEqual(placed.common(inside).Volume, exact, delta=1e-6 * exact)
 
+    def test_faces_of_a_part_that_turns_while_it_moves(self):
+        """The solid has the surfaces that the edges of a box sweep, about a pivot and in a group."""
+        if not core.has_solids():
+            self.skipTest("the core has no OpenCASCADE")
+        path = motion.motion_from_poses(
+            self.doc, [0, 1], [shift(), turn(35, V(1, 2, 3), V(14, 3, 6))]
+        )
+        path.Pivot = V(5, 5, 5)
+        part = self.box()
+        obj = self.envelope([part], path, CellSize=0.4)
+        group = self.doc.addObject("App::Part", "Group")
+        for member in (part, path, obj):
+            group.addObject(member)
+        group.Placement = turn(30, V(1, 2, 3), V(7, 8, 9))
+        self.doc.recompute()
+        envelope.compute(obj)
+        body = solid.make_solid(self.doc, obj, Tolerance=0.1)
+        group.addObject(body)
+        report = solid.compute(body)
+        self.assertNotIn("facet", report["faces_by_kind"])
+        self.assertIn("sheet", report["faces_by_kind"])
+        self.assertLess(body.EdgeTolerance.Value, 1e-5)
+        self.assertAlmostEqual(body.Volume.Value, obj.Mesh.Volume, delta=1e-3 * obj.Mesh.Volume)
+        self.assertTrue(body.Shape.isValid())
+        box = Part.makeBox(10, 10, 10)
+        self.assertAlmostEqual(body.Shape.common(box).Volume, 1000, delta=1e-3)
+
     def test_faces_of_parts_that_only_the_mesh_knows(self):
         obj = self.envelope([self.box()], self.line(), CellSize=0.5)
         envelope.compute(obj)

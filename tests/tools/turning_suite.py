@@ -53,9 +53,7 @@ def triangles_of(base):
         for k in range(len(left)):
             a, b, c = left[k - 1], left[k], left[(k + 1) % len(left)]
             others = [p for p in left if p not in (a, b, c)]
-            inside = [
-                p for p in others if min(cross(a, b, p), cross(b, c, p), cross(c, a, p)) >= 0
-            ]
+            inside = [p for p in others if min(cross(a, b, p), cross(b, c, p), cross(c, a, p)) >= 0]
             if cross(a, b, c) > 0 and not inside:
                 triangles.append((a, b, c))
                 left.pop(k)
@@ -123,7 +121,9 @@ def main():
                 words = ["--output", folder / "envelope.step", "--report", report, "--quiet"]
                 words += ["--resolution", RESOLUTION, "--solid-tolerance", TOLERANCE]
                 made = run([program, "envelope", part, "--motion", motion] + words)
-                solid = json.loads(report.read_text()).get("solid") if made.returncode == 0 else None
+                solid = (
+                    json.loads(report.read_text()).get("solid") if made.returncode == 0 else None
+                )
                 if solid is None or not solid["valid"]:
                     failed += 1
                     print(body, case, "FAILED", made.stderr[-200:], flush=True)
@@ -135,7 +135,9 @@ def main():
             if exact:
                 faces = [solid["faces"] for solid in exact]
                 row.append(f"{min(faces)} to {max(faces)}")
-                row += [f"{max(s[key] for s in exact):.2g}" for key in ("edge_tolerance", "deviation")]
+                row += [
+                    f"{max(s[key] for s in exact):.2g}" for key in ("edge_tolerance", "deviation")
+                ]
             table.append(row)
     print("| body | motions | without facets | faces | B-rep tolerance, mm | deviation, mm |")
     for row in table:

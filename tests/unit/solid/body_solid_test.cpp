@@ -275,7 +275,6 @@ TEST_F(BodySolid, ACoarseMeshDoesNotRefuseIt) {
   EXPECT_LE(report.deviation, options.tolerance);
 }
 
-// A solid of another motion is found out: its surfaces are then recognised in the mesh.
 // Parts with fillets: sections that begin where a face runs along the move, cusps of contact
 // curves, and slivers between faces that are nearly tangent.
 TEST_F(BodySolid, PartsOfRealMachinesAlongALine) {
@@ -294,6 +293,7 @@ TEST_F(BodySolid, PartsOfRealMachinesAlongALine) {
   }
 }
 
+// A solid of another motion is found out: its surfaces are then recognised in the mesh.
 TEST_F(BodySolid, AnotherMotionIsRefused) {
   readBodyOf(boxMesh(12, 8, 5));
   sweep({{0, 0, 0}, {7, 4, 9}}, none_);

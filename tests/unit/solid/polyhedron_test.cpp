@@ -27,7 +27,6 @@ TEST(Polyhedron, KnowsItsNormalsAndItsConcaveEdge) {
   EXPECT_EQ(body.faces.size(), 8u);
   ASSERT_EQ(body.edges.size(), 18u);
   for (const BodyFace& face : body.faces) {
-    // A little outside of the middle of an edge, on the side of the normal of a face.
     const BodyEdge& edge = body.edges[face.edges.front()];
     EXPECT_NEAR(edge.along.dot(face.normal), 0, 1e-12);
   }
@@ -35,8 +34,7 @@ TEST(Polyhedron, KnowsItsNormalsAndItsConcaveEdge) {
     const Eigen::Vector3d middle = edge.at(edge.length / 2);
     const bool isNotch = (middle - Eigen::Vector3d(4, 3, 2.5)).norm() < 1e-9;
     EXPECT_EQ(body.isConvex(edge), !isNotch) << middle.transpose();
-    // Outward normals of a convex edge point away from the middle of the box.
-    for (const int f : edge.faces) ASSERT_GE(f, 0);
+    for (const int f : edge.faces) EXPECT_GE(f, 0);
   }
   const auto isOutward = [&](const Eigen::Vector3d& normal, const Eigen::Vector3d& p) {
     return std::any_of(body.faces.begin(), body.faces.end(), [&](const BodyFace& face) {

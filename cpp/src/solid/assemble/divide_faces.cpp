@@ -30,12 +30,10 @@
 namespace swept::step {
 namespace {
 
-/// mm: the end of a section is moved to a vertex or an edge that is nearer than this, or nearer
-/// than twice the tolerance of the vertex or edge. Sections are exact; edges of bodies from files
-/// are not. In the leg of a robot, with edges up to 7e-4 mm off their faces, ends that belong
-/// together are up to 3.5e-4 mm apart. The limit follows the worst vertex of the body, between
-/// these two values.
-constexpr double kMinNear = 1e-4, kMaxNear = 5e-4;
+/// mm: bodies from files may be less exact than their caller says. In the leg of a robot, with
+/// edges up to 7e-4 mm off their faces, ends that belong together are up to 3.5e-4 mm apart. So the
+/// distance within which they are one follows the worst vertex of the body, up to this value.
+constexpr double kMaxNear = 5e-4;
 
 class Divider {
  public:
@@ -138,7 +136,7 @@ class Divider {
       double at = from;
       TopoDS_Vertex vertex = first;
       const auto isShort = [&](double t, double u) {
-        constexpr double kShortestPart = 1e-6;  // mm; vertices of two bodies may lie at one place
+        constexpr double kShortestPart = 1e-6;  // mm; two vertices may lie at one place
         return curve->Value(t).Distance(curve->Value(u)) < kShortestPart;
       };
       cuts.erase(std::remove_if(cuts.begin(), cuts.end(),
@@ -246,7 +244,7 @@ class Divider {
     maker.SetFace(face);
     maker.SetShapes(edges);
     maker.SetContext(context_);
-    maker.SetAvoidInternalShapes(Standard_True);
+    maker.SetAvoidInternalShapes(Standard_True);  // no edges that do not divide the face
     maker.Perform();
     if (maker.HasErrors()) return false;
     for (const TopoDS_Shape& piece : maker.Areas())

@@ -1,8 +1,9 @@
 // Divides faces along edges that are known to lie on them. Unlike the general fuse of the kernel,
-// it computes no intersections, so nearly tangent faces are no problem. In:      faces that share
-// their edges; sections with the faces on which they lie. Sections may end
-//          on edges and vertices of faces, and at each other, but do not cross.
-// Out:     the pieces of the faces. They share their edges.
+// it computes no intersections, so nearly tangent faces are no problem.
+// In:      faces that share their edges; sections with the faces on which they lie. Sections may
+//          end on edges and vertices of faces, and at each other, but do not cross.
+// Out:     the pieces of the faces. They share their edges. Sections that do not divide a face are
+//          left out.
 // Units:   mm.
 // Cost:    O(edges times ends of sections), about 1 ms for each piece.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -17,11 +18,15 @@ namespace swept::step {
 
 struct SweptSection {
   TopoDS_Edge edge;
-  std::vector<int> faces;  ///< indices of the faces on which it lies
+  /// Indices of the faces on which it lies. Its curves in the parameters of these faces are used,
+  /// if it has any.
+  std::vector<int> faces;
 };
 
 /// Returns a compound of the pieces; the given faces stay as they are. A face that the kernel
-/// cannot divide stays in one piece. May throw Standard_Failure.
+/// cannot divide stays in one piece. `near`: mm, the end of a section is moved to a vertex or an
+/// edge that is nearer than this, or nearer than twice the tolerance of the vertex or edge. May
+/// throw Standard_Failure.
 TopoDS_Shape divideFaces(const std::vector<TopoDS_Face>& faces,
                          const std::vector<SweptSection>& sections, double near);
 

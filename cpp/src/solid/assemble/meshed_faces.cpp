@@ -11,33 +11,15 @@
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <tuple>
 
+#include "geometry/segment_triangle.h"
 #include "solid/assemble/kernel_geometry.h"
 
 namespace swept::step {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-namespace {
-
-// Returns where the segment passes through the triangle: its fraction, and the weights of the
-// second and third corner (Moller and Trumbore 1997).
-std::optional<Vector3d> pierce(const Vector3d& from, const Vector3d& to, const Vector3d& a,
-                               const Vector3d& b, const Vector3d& c) {
-  const Vector3d along = to - from, ab = b - a, ac = c - a, p = along.cross(ac);
-  const double determinant = ab.dot(p);
-  if (determinant == 0) return std::nullopt;
-  const Vector3d off = from - a, q = off.cross(ab);
-  const double u = off.dot(p) / determinant, v = along.dot(q) / determinant,
-               t = ac.dot(q) / determinant;
-  if (u < 0 || v < 0 || u + v > 1 || t < 0 || t > 1) return std::nullopt;
-  return Vector3d(t, u, v);
-}
-
-}  // namespace
 
 struct MeshedFaces::FoundPiercing {
   // Face and two nodes of the edge, face and triangle. A shared node has the face -1.
@@ -198,8 +180,8 @@ void MeshedFaces::pierceEdges(const Triangle& s, const Triangle& t, int side, in
   for (int k = 0; k < 3; ++k) {
     const auto [low, high] = std::minmax(ends[k], ends[(k + 1) % 3]);
     if (sharedNode >= 0 && (f.shared[low] == sharedNode || f.shared[high] == sharedNode)) continue;
-    const auto hit = pierce(f.nodes[low], f.nodes[high], g.nodes[other[0]], g.nodes[other[1]],
-                            g.nodes[other[2]]);
+    const auto hit = throughTriangle(f.nodes[low], f.nodes[high], g.nodes[other[0]],
+                                     g.nodes[other[1]], g.nodes[other[2]]);
     if (!hit) continue;
     FoundPiercing& found = to.emplace_back();
     found.key = {s.first, low, high, t.first, t.second};

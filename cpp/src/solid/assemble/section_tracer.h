@@ -54,13 +54,15 @@ class SectionTracer {
                 const std::vector<Eigen::Vector3d>& events)
       : faces_(faces), of_{a, b}, shared_(std::move(shared)), events_(events) {}
 
-  /// Returns the runs of exact points of a chain, longest first. The chain is interrupted where the
-  /// faces are tangent.
+  /// Exact points along a curve.
   struct Run {
     std::vector<PointOnBoth> points;
-    bool isFirstExact = false, isLastExact = false;  ///< whether the end lies on a border
+    /// Whether the curve ends there, at a border. Otherwise it goes on.
+    bool isFirstExact = false, isLastExact = false;
     double length() const;
   };
+  /// Returns the runs of all chains, longest first. Chains are interrupted where the faces are
+  /// tangent.
   std::vector<Run> runsOf(const std::vector<std::vector<Piercing>>& chains) const;
 
   /// Extends a run at its ends that are not exact, and makes an edge of it. Null if it is too

@@ -6,28 +6,13 @@
 #include <utility>
 
 #include "base/sort_unique.h"
+#include "geometry/segment_triangle.h"
 #include "motion/pivot.h"
 
 namespace swept::step {
 namespace {
 
 using Eigen::Vector3d;
-
-// Returns whether the segment crosses the triangle (Moller and Trumbore 1997).
-bool crosses(const Vector3d& from, const Vector3d& along, const Vector3d& a, const Vector3d& b,
-             const Vector3d& c) {
-  const Vector3d ab = b - a, ac = c - a, p = along.cross(ac);
-  const double determinant = ab.dot(p);
-  if (determinant == 0) return false;
-  const Vector3d off = from - a;
-  const double u = off.dot(p) / determinant;
-  if (u < 0 || u > 1) return false;
-  const Vector3d q = off.cross(ab);
-  const double v = along.dot(q) / determinant;
-  if (v < 0 || u + v > 1) return false;
-  const double t = ac.dot(q) / determinant;
-  return t >= 0 && t <= 1;
-}
 
 // Visits the items near the segment, in pieces so short that their boxes are small.
 template <class Visit>
@@ -71,7 +56,7 @@ bool SweptInterior::isHit(const Vector3d& from, const Vector3d& to) const {
     tree_.forBox(a.cwiseMin(b), a.cwiseMax(b), [&](std::uint32_t place) {
       const auto& t = body_.triangles[tree_.item(place)];
       hit = hit ||
-            crosses(a, b - a, body_.vertices[t[0]], body_.vertices[t[1]], body_.vertices[t[2]]);
+            throughTriangle(a, b, body_.vertices[t[0]], body_.vertices[t[1]], body_.vertices[t[2]]);
     });
     return !hit;
   });
@@ -91,8 +76,8 @@ bool SweptInterior::isInsideBody(const Vector3d& point) const {
     tree_.forBox(a.cwiseMin(b), a.cwiseMax(b), [&](std::uint32_t place) {
       const std::int32_t item = tree_.item(place);
       const auto& t = body_.triangles[item];
-      if (crosses(point, outside - point, body_.vertices[t[0]], body_.vertices[t[1]],
-                  body_.vertices[t[2]]))
+      if (throughTriangle(point, outside, body_.vertices[t[0]], body_.vertices[t[1]],
+                          body_.vertices[t[2]]))
         crossed.push_back(item);
     });
     return true;
