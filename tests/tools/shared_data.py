@@ -18,6 +18,18 @@ def rotate(q, x):
     return x + 2 * np.cross(u, np.cross(u, x) + w * x)
 
 
+def turn(axis, degrees):
+    """Returns a unit quaternion, scalar last."""
+    axis, half = np.array(axis, float), np.radians(degrees) / 2
+    return np.append(axis / np.linalg.norm(axis) * np.sin(half), np.cos(half))
+
+
+def product(a, b):
+    """Returns the product of two quaternions, scalar last."""
+    u, v = a[:3], b[:3]
+    return np.append(a[3] * v + b[3] * u + np.cross(u, v), a[3] * b[3] - u @ v)
+
+
 def scaled_motion(swept, name, size):
     """Returns (quaternions, translations) of a recorded path, scaled so that it spans twice
     `size`."""

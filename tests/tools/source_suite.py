@@ -27,20 +27,9 @@ sys.path.insert(0, str(ROOT / "tests" / "python"))
 import numpy as np  # noqa: E402
 
 import source_check  # noqa: E402
-from shared_data import FOLDER  # noqa: E402
+from shared_data import FOLDER, product, turn  # noqa: E402
 
 NEAR, CHORD, SAMPLE, ON_CORNERS = 1e-3, 0.02, 400, 1.0
-
-
-def turn(axis, degrees):
-    """Returns a unit quaternion, scalar last."""
-    axis, half = np.array(axis, float), np.radians(degrees) / 2
-    return np.append(axis / np.linalg.norm(axis) * np.sin(half), np.cos(half))
-
-
-def product(a, b):
-    u, v = a[:3], b[:3]
-    return np.append(a[3] * v + b[3] * u + np.cross(u, v), a[3] * b[3] - u @ v)
 
 
 def motions(low, high):

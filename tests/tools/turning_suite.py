@@ -19,6 +19,9 @@ import sys
 import tempfile
 
 import numpy as np
+from shared_data import product, turn
+from thin_parts import loft
+from unseen_suite import write_ply
 
 RESOLUTION, TOLERANCE, SEED = 64, 0.1, 2026
 
@@ -39,59 +42,16 @@ BODIES = {
 }
 
 
-def triangles_of(base):
-    """Returns the triangles of a simple polygon, by cutting off ears."""
-    left = list(range(len(base)))
-    points = np.array(base, float)
-    triangles = []
-
-    def cross(a, b, c):
-        u, v = points[b] - points[a], points[c] - points[a]
-        return u[0] * v[1] - u[1] * v[0]
-
-    while len(left) > 3:
-        for k in range(len(left)):
-            a, b, c = left[k - 1], left[k], left[(k + 1) % len(left)]
-            others = [p for p in left if p not in (a, b, c)]
-            inside = [p for p in others if min(cross(a, b, p), cross(b, c, p), cross(c, a, p)) >= 0]
-            if cross(a, b, c) > 0 and not inside:
-                triangles.append((a, b, c))
-                left.pop(k)
-                break
-    return triangles + [tuple(left)]
-
-
-def write_body(file, base, height):
-    n = len(base)
-    caps = triangles_of(base)
-    faces = [(c, b, a) for a, b, c in caps] + [(a + n, b + n, c + n) for a, b, c in caps]
-    for i in range(n):
-        j = (i + 1) % n
-        faces += [(i, j, j + n), (i, j + n, i + n)]
-    lines = ["OFF", f"{2 * n} {len(faces)} 0"]
-    lines += [f"{x!r} {y!r} {z}" for z in (0, height) for x, y in base]
-    lines += [f"3 {a} {b} {c}" for a, b, c in faces]
-    file.write_text("\n".join(lines) + "\n")
-
-
-def product(p, q):
-    """Returns the product of two quaternions (x, y, z, w)."""
-    u, v = np.array(p[:3]), np.array(q[:3])
-    return np.append(p[3] * v + q[3] * u + np.cross(u, v), p[3] * q[3] - u @ v)
-
-
 def random_motions(count):
     rng = np.random.default_rng(SEED)
     for case in range(count):
-        place, turn = np.zeros(3), np.array([0, 0, 0, 1.0])
-        rows = [[0, *place, *turn]]
+        place, turned = np.zeros(3), turn((0, 0, 1), 0)
+        rows = [[0, *place, *turned]]
         for key in range(1 + case % 2):
             step = rng.normal(size=3)
             place = place + step / np.linalg.norm(step) * rng.uniform(20, 70)
-            axis, angle = rng.normal(size=3), math.radians(rng.uniform(10, 60))
-            half = np.append(math.sin(angle / 2) * axis / np.linalg.norm(axis), math.cos(angle / 2))
-            turn = product(half, turn)
-            rows.append([key + 1, *place, *turn])
+            turned = product(turn(rng.normal(size=3), rng.uniform(10, 60)), turned)
+            rows.append([key + 1, *place, *turned])
         yield np.array(rows)
 
 
@@ -109,8 +69,9 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         for body in sys.argv[3:] or BODIES:
-            mesh, part = folder / f"{body}.off", folder / f"{body}.step"
-            write_body(mesh, *BODIES[body])
+            mesh, part = folder / f"{body}.ply", folder / f"{body}.step"
+            base, height = BODIES[body]
+            write_ply(mesh, *loft(base, [0, height]))
             made = run([program, "solid", mesh, "--output", part, "--exact"])
             if made.returncode != 0:
                 sys.exit(made.stderr)

@@ -29,9 +29,9 @@ struct KernelKnots {
 
 }  // namespace
 
-gp_Trsf transformOf(const Placement& placement) {
-  const Eigen::Matrix3d& r = placement.rotation;
-  const Eigen::Vector3d& t = placement.translation;
+gp_Trsf transformOf(const Pose& pose) {
+  const Eigen::Matrix3d r = pose.rotation.normalized().toRotationMatrix();
+  const Eigen::Vector3d& t = pose.translation;
   gp_Trsf transform;
   transform.SetValues(r(0, 0), r(0, 1), r(0, 2), t[0], r(1, 0), r(1, 1), r(1, 2), t[1], r(2, 0),
                       r(2, 1), r(2, 2), t[2]);

@@ -9,9 +9,9 @@
 #include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
 
-#include "motion/motion.h"
 #include "solid/carrier/curve.h"
 #include "solid/carrier/sheet.h"
+#include "swept/types.h"
 
 namespace swept::step {
 
@@ -20,7 +20,7 @@ inline gp_Vec vecOf(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 inline gp_Dir dirOf(const Eigen::Vector3d& d) { return {d.x(), d.y(), d.z()}; }
 inline Eigen::Vector3d vectorOf(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
-gp_Trsf transformOf(const Placement& placement);
+gp_Trsf transformOf(const Pose& pose);
 
 Handle(Geom_Curve) kernelCurve(const Curve& curve);
 Handle(Geom_Surface) kernelSheet(const Sheet& sheet);

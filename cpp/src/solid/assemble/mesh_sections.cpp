@@ -32,16 +32,17 @@ struct FaceCurve {
   bool isDivider = false;
 
   bool liesOn(int f) const { return std::find(faces.begin(), faces.end(), f) != faces.end(); }
-  Handle(Geom_Curve) curve() const {
-    double from, to;
-    return BRep_Tool::Curve(edge, from, to);
-  }
   gp_Pnt middle() const {
     double from, to;
     const Handle(Geom_Curve) along = BRep_Tool::Curve(edge, from, to);
     return along->Value((from + to) / 2);
   }
 };
+
+Handle(Geom_Curve) curveOf(const TopoDS_Edge& edge) {
+  double from, to;
+  return BRep_Tool::Curve(edge, from, to);
+}
 
 bool isNear(const gp_Pnt& p, const TopoDS_Edge& edge, double distance) {
   double from, to;
@@ -112,11 +113,11 @@ class Finder {
     constexpr double kCrossing = 1e-5, kTangent = 1e-3;
     std::vector<SharedCurve> shared;
     for (const int e : faces_.edgesOf(a)) {
-      if (faces_.hasEdge(b, e))
-        shared.push_back({FaceCurve{faces_.edge(e), {}}.curve(), kCrossing});
+      if (faces_.hasEdge(b, e)) shared.push_back({curveOf(faces_.edge(e)), kCrossing});
     }
     for (const FaceCurve& divider : dividers_) {
-      if (divider.liesOn(a) && divider.liesOn(b)) shared.push_back({divider.curve(), kTangent});
+      if (divider.liesOn(a) && divider.liesOn(b))
+        shared.push_back({curveOf(divider.edge), kTangent});
     }
     return {faces_, a, b, std::move(shared), events_};
   }
@@ -332,10 +333,8 @@ class Finder {
   // Returns whether both faces bound the swept volume beside the point. Of a face that does not,
   // the samples on both sides agree. `a`, `b`: directions in the faces.
   bool doBothEnd(const Vector3d& p, double distance, const Vector3d& a, const Vector3d& b) const {
-    constexpr double kThinSector = 0.01;
     const auto sector = [&](const Vector3d& u, const Vector3d& v) {
-      const double sine = std::max(kThinSector, (u - v).norm() / 2);
-      return contains(p + (u + v).normalized() * (distance / sine));
+      return sides_.isInSector(pointOf(p), vecOf(u), vecOf(v), distance);
     };
     // The four sectors between the faces, in their order around the edge.
     const bool first = sector(a, b), second = sector(b, -a), third = sector(-a, -b),

@@ -125,21 +125,19 @@ BoxTree::Bounds MeshedFaces::boxOf(const Triangle& t) const {
   return box;
 }
 
-bool MeshedFaces::haveCommonEdge(int f, int g) const {
-  return std::any_of(faces_[f].edges.begin(), faces_[f].edges.end(),
-                     [&](int e) { return hasEdge(g, e); });
-}
-
-bool MeshedFaces::isCommonVertex(int f, int g, const Vector3d& p) const {
-  constexpr double kAtVertex = 1e-3;  // mm
-  TopTools_IndexedMapOfShape vertices;
+std::vector<Vector3d> MeshedFaces::commonVertices(int f, int g) const {
+  std::vector<Vector3d> common;
+  const bool haveEdge = std::any_of(faces_[f].edges.begin(), faces_[f].edges.end(),
+                                    [&](int e) { return hasEdge(g, e); });
+  if (!haveEdge) return common;
+  TopTools_IndexedMapOfShape vertices, others;
   TopExp::MapShapes(face(f), TopAbs_VERTEX, vertices);
-  for (TopExp_Explorer it(face(g), TopAbs_VERTEX); it.More(); it.Next()) {
-    if (vertices.Contains(it.Current()) &&
-        BRep_Tool::Pnt(TopoDS::Vertex(it.Current())).Distance(pointOf(p)) < kAtVertex)
-      return true;
+  TopExp::MapShapes(face(g), TopAbs_VERTEX, others);
+  for (int v = 1; v <= others.Extent(); ++v) {
+    if (vertices.Contains(others(v)))
+      common.push_back(vectorOf(BRep_Tool::Pnt(TopoDS::Vertex(others(v))).XYZ()));
   }
-  return false;
+  return common;
 }
 
 bool MeshedFaces::areOfOneGroup(int f, int g) const {

@@ -61,9 +61,8 @@ class MeshedFaces {
   TopoDS_Edge edge(int e) const { return TopoDS::Edge(edges_(e)); }
   const std::set<int>& edgesOf(int f) const { return faces_[f].edges; }
   bool hasEdge(int f, int e) const { return faces_[f].edges.count(e) != 0; }
-  bool haveCommonEdge(int f, int g) const;
-  /// Returns whether the point is a vertex of both faces.
-  bool isCommonVertex(int f, int g, const Eigen::Vector3d& p) const;
+  /// Returns the common vertices of two faces that have a common edge; none for other faces.
+  std::vector<Eigen::Vector3d> commonVertices(int f, int g) const;
   bool areOfOneGroup(int f, int g) const;
 
   Jet jet(int f, const Eigen::Vector2d& on) const;

@@ -74,11 +74,7 @@ bool Polyhedron::isConvex(const BodyEdge& edge) const {
   return false;
 }
 
-PosedBody::PosedBody(const TopoDS_Shape& body, const Pose& pose) {
-  Placement placement;
-  placement.rotation = pose.rotation.normalized().toRotationMatrix();
-  placement.translation = pose.translation;
-  maker_ = std::make_unique<BRepBuilderAPI_Transform>(body, transformOf(placement), Standard_True);
-}
+PosedBody::PosedBody(const TopoDS_Shape& body, const Pose& pose)
+    : maker_(std::make_unique<BRepBuilderAPI_Transform>(body, transformOf(pose), Standard_True)) {}
 
 }  // namespace swept::step

@@ -186,9 +186,10 @@ bool SectionTracer::isInBoth(const PointOnBoth& point) const {
   return faces_.isInFace(of_[0], point.on[0]) && faces_.isInFace(of_[1], point.on[1]);
 }
 
-// Returns whether the point is an end of a common edge.
 bool SectionTracer::isCommonVertex(const Vector3d& p) const {
-  return faces_.haveCommonEdge(of_[0], of_[1]) && faces_.isCommonVertex(of_[0], of_[1], p);
+  constexpr double kAtVertex = 1e-3;  // mm
+  return std::any_of(commonVertices_.begin(), commonVertices_.end(),
+                     [&](const Vector3d& vertex) { return (vertex - p).norm() < kAtVertex; });
 }
 
 std::vector<SectionTracer::Run> SectionTracer::runsOf(

@@ -52,7 +52,11 @@ class SectionTracer {
   /// `shared`: curves of both faces that are no intersections.
   SectionTracer(const MeshedFaces& faces, int a, int b, std::vector<SharedCurve> shared,
                 const std::vector<Eigen::Vector3d>& events)
-      : faces_(faces), of_{a, b}, shared_(std::move(shared)), events_(events) {}
+      : faces_(faces),
+        of_{a, b},
+        shared_(std::move(shared)),
+        commonVertices_(faces.commonVertices(a, b)),
+        events_(events) {}
 
   /// Exact points along a curve.
   struct Run {
@@ -97,6 +101,7 @@ class SectionTracer {
   const MeshedFaces& faces_;
   const std::array<int, 2> of_;
   const std::vector<SharedCurve> shared_;
+  const std::vector<Eigen::Vector3d> commonVertices_;
   const std::vector<Eigen::Vector3d>& events_;
   std::vector<Eigen::Vector3d> ends_;
 };

@@ -61,22 +61,23 @@ bool Sides::isOnSurface(const TopoDS_Face& face) const {
   });
 }
 
+bool Sides::isInSector(const gp_Pnt& p, const gp_Vec& a, const gp_Vec& b, double distance) const {
+  constexpr double kThinSector = 0.01;  // sine of half the angle
+  const gp_Vec middle = a + b;
+  const double sine = std::max(kThinSector, (a - b).Magnitude() / 2);
+  return contains(p.Translated(middle * (distance / (sine * middle.Magnitude()))));
+}
+
 bool Sides::isEdge(const gp_Pnt& p, const gp_Vec& a, const gp_Vec& b) const {
-  constexpr double kMinHalfAngle = 0.01;  // of half the angle between both faces
+  constexpr double kFlat = 0.01;  // a sector of nearly 180 degrees has no certain middle
   const double sizes = a.Magnitude() * b.Magnitude();
   if (sizes <= gp::Resolution()) return false;
   const gp_Vec u = a / a.Magnitude(), v = b / b.Magnitude();
-  // Samples lie in the middle of each sector, so far from the edge that both faces are at the usual
-  // distance.
-  const gp_Vec sum = u + v, difference = u - v;
   bool in = false, out = false;
-  for (const auto& [middle, across] : {std::pair(sum, difference), std::pair(difference, sum)}) {
-    const double sine = std::max(kMinHalfAngle, across.Magnitude() / 2);
-    if (middle.Magnitude() < kMinHalfAngle) continue;
-    for (const double side : {1.0, -1.0}) {
-      const gp_Vec to = middle * (side * distance() / (sine * middle.Magnitude()));
-      (contains(p.Translated(to)) ? in : out) = true;
-    }
+  for (const auto& [from, to] :
+       {std::pair(u, v), std::pair(-u, -v), std::pair(u, -v), std::pair(-u, v)}) {
+    if ((from + to).Magnitude() < kFlat) continue;
+    (isInSector(p, from, to, distance()) ? in : out) = true;
   }
   return in && out;
 }

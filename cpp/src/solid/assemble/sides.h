@@ -34,6 +34,10 @@ class Sides {
   void vote(const FaceSample& sample, Votes& votes) const;
   /// Returns whether a sample of the face lies on the surface of the swept volume.
   bool isOnSurface(const TopoDS_Face& face) const;
+  /// Returns whether the swept volume contains the middle of the sector between two unit vectors at
+  /// p. The sample is so far from p that it is at the given distance from both sides of the sector,
+  /// unless the sector is very thin.
+  bool isInSector(const gp_Pnt& p, const gp_Vec& a, const gp_Vec& b, double distance) const;
   /// Returns whether two faces that intersect at p form an edge of the swept volume: of the four
   /// sectors between them, some lie inside and some outside. `a`, `b`: directions in the faces,
   /// perpendicular to the edge.

@@ -216,7 +216,7 @@ Trajectory withoutRests(Trajectory trajectory) {
   return trajectory;
 }
 
-// Returns whether the body is a polyhedron that, in some step, moves and turns at the same time.
+// Returns whether turningFaces() can make the faces.
 bool canTurn(const BodyShape& body, const Trajectory& trajectory) {
   return trajectory.interpolation != Interpolation::None && trajectory.poses.size() >= 2 &&
          faceCount(body.shape) * (trajectory.poses.size() - 1) <= kMaxTurningFaces &&
@@ -260,12 +260,9 @@ SweptFaces sweptFaces(const BodyShape& body, const Trajectory& trajectory, const
   for (std::size_t k = 0; k < moves.size(); ++k) {
     const Message_ProgressRange range = scope.Next();
     if (moves[k].isRest()) continue;
-    const Pose& pose = trajectory.poses[k];
-    Placement placement;
-    placement.rotation = pose.rotation.normalized().toRotationMatrix();
-    placement.translation = pose.translation;
     const TopoDS_Shape posed =
-        BRepBuilderAPI_Transform(body.shape, transformOf(placement), Standard_True).Shape();
+        BRepBuilderAPI_Transform(body.shape, transformOf(trajectory.poses[k]), Standard_True)
+            .Shape();
     SweepingParts sources;
     if (!appendStep(posed, moves[k], static_cast<int>(k), isFirst, faces.faces, sources, range))
       return {};
