@@ -28,7 +28,7 @@ class Sides {
 
   /// mm: how far sample points lie from the face that they judge.
   double distance() const;
-  /// mm: details of the swept volume that are smaller need not be shown.
+  /// mm: how finely surfaces of the swept volume are triangulated and measured.
   double detail() const;
   const SweptInterior& interior() const { return interior_; }
   void vote(const FaceSample& sample, Votes& votes) const;
