@@ -21,7 +21,7 @@
 namespace swept {
 namespace {
 
-constexpr std::size_t kBlock = 1 << 14;
+constexpr std::size_t kSumBlock = 1 << 14;
 
 void requireValidIndices(const TriMesh& mesh) {
   const std::optional<BadIndex> bad = findBadIndex(mesh);
@@ -38,12 +38,12 @@ struct Sums {
 /// Sums over blocks of fixed size, then adds the sums of the blocks in order, so the result does
 /// not depend on the number of threads, not even by rounding.
 Sums measure(const TriMesh& mesh, const Eigen::Vector3d& origin, RunContext& run) {
-  std::vector<Sums> parts((mesh.triangles.size() + kBlock - 1) / kBlock);
+  std::vector<Sums> parts((mesh.triangles.size() + kSumBlock - 1) / kSumBlock);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
     run.checkpoint(Phase::Check);
     Sums sums;
-    const std::size_t end = std::min(mesh.triangles.size(), (part + 1) * kBlock);
-    for (std::size_t t = part * kBlock; t < end; ++t) {
+    const std::size_t end = std::min(mesh.triangles.size(), (part + 1) * kSumBlock);
+    for (std::size_t t = part * kSumBlock; t < end; ++t) {
       const auto& tri = mesh.triangles[t];
       const Eigen::Vector3d a = mesh.vertices[tri[0]] - origin;
       const Eigen::Vector3d u = mesh.vertices[tri[1]] - mesh.vertices[tri[0]];

@@ -2,7 +2,6 @@
 #include "geometry/ray_columns.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -10,6 +9,7 @@
 
 #include "base/parallel.h"
 #include "geometry/exact_predicates.h"
+#include "geometry/triangle_pairs.h"
 
 namespace swept {
 namespace {
@@ -32,8 +32,6 @@ int crossingSign(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double y, d
 constexpr double kMaxColumns = 256, kMaxPairs = 4e9;
 constexpr std::size_t kColumnBlock = 1 << 13;
 constexpr double kColumnMargin = 1e-12;  ///< margin as a fraction of the largest coordinate
-
-using Corners = std::array<const Eigen::Vector3d*, 3>;
 
 /// Returns the smallest and the largest coordinate of the corners along an axis.
 std::pair<double, double> extent(const Corners& corners, int axis) {

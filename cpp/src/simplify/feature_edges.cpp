@@ -17,7 +17,7 @@ namespace {
 /// Eigenvalues below this fraction of the largest one count as 0.
 constexpr double kRankCut = 0.03;
 constexpr double kCosine = 0.906;  ///< cosine of 25 degrees, the smallest angle of a crease
-constexpr std::size_t kBlock = 8192;
+constexpr std::size_t kEdgeBlock = 8192;
 constexpr std::uint32_t kNone = 0xffffffffu;
 using Edge = std::array<std::int32_t, 2>;
 
@@ -32,8 +32,8 @@ Eigen::Vector3d normalOf(const TriMesh& mesh, std::size_t t) {
 /// crease.
 std::vector<Edge> turningEdges(const TriMesh& mesh, const RawArray<std::uint32_t>& across) {
   const std::size_t n = mesh.triangles.size();
-  std::vector<std::vector<Edge>> parts(n / kBlock + 1);
-  parallelBlocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::vector<Edge>> parts(n / kEdgeBlock + 1);
+  parallelBlocks(n, kEdgeBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const Eigen::Vector3d normal = normalOf(mesh, t);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -46,7 +46,7 @@ std::vector<Edge> turningEdges(const TriMesh& mesh, const RawArray<std::uint32_t
           continue;
         }
         const std::int32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-        parts[begin / kBlock].push_back({std::min(a, b), std::max(a, b)});
+        parts[begin / kEdgeBlock].push_back({std::min(a, b), std::max(a, b)});
       }
     }
   });
@@ -69,7 +69,7 @@ std::vector<std::uint8_t> onFeature(const TriMesh& mesh, const std::vector<Edge>
     }
   }
   ListsByKey around(vertices.size(), [&](const auto& use) {
-    parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    parallelBlocks(mesh.triangles.size(), kEdgeBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
         for (const std::int32_t v : mesh.triangles[t]) {
           if (indexOf[v] != kNone) use(indexOf[v], static_cast<std::uint32_t>(t));

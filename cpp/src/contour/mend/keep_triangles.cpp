@@ -9,7 +9,7 @@
 namespace swept {
 namespace {
 
-constexpr std::size_t kBlock = 1 << 14;
+constexpr std::size_t kKeptBlock = 1 << 14;
 
 /// Keeps the entries of `values` that have a new number (not -1).
 template <class T>
@@ -35,7 +35,7 @@ void keepTriangles(Surface& surface, const std::vector<std::uint8_t>& keeps,
                    SelfIntersections& pairs) {
   TriMesh& mesh = surface.mesh;
   std::vector<std::uint8_t> keepsVertex(mesh.vertices.size());
-  parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(mesh.triangles.size(), kKeptBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       if (keeps[t] == 0) continue;
       for (const std::int32_t v : mesh.triangles[t]) {
@@ -46,7 +46,7 @@ void keepTriangles(Surface& surface, const std::vector<std::uint8_t>& keeps,
   const auto triangle = numberKept(keeps), vertex = numberKept(keepsVertex);
   compact(mesh.triangles, triangle);
   compact(surface.crossingOf, triangle);
-  parallelBlocks(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(mesh.triangles.size(), kKeptBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       for (std::int32_t& v : mesh.triangles[t]) v = vertex[v];
     }

@@ -26,7 +26,7 @@ namespace swept::step {
 namespace {
 
 /// Sine of the angle between two faces. If they are closer to tangent, the edge stays as it is.
-constexpr double kMinSine = 0.02;
+constexpr double kMinCrossing = 0.02;
 /// mm: points of an edge that move farther belong to another intersection.
 constexpr double kMaxMove = 1e-3;
 
@@ -139,7 +139,7 @@ class Section {
       const double toA = sides_[0].distance(p, n), toB = sides_[1].distance(p, m);
       gp_Vec tangent = n.Crossed(m);
       const double sine = tangent.Magnitude(), cosine = n.Dot(m);
-      if (sine < kMinSine) return std::nullopt;
+      if (sine < kMinCrossing) return std::nullopt;
       if (std::max(std::abs(toA), std::abs(toB)) < 1e-3 * kCurveBound) {
         if (p.Distance(start) > kMaxMove) return std::nullopt;
         if (tangent.Dot(along) < 0) tangent.Reverse();

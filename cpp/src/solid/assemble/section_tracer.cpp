@@ -155,8 +155,8 @@ std::optional<PointOnBoth> SectionTracer::atBorder(int side, int e, const Vector
   }
   const BRepAdaptor_Curve curve(edge);
   const auto found = throughFace(faces_, of_[1 - side], curve, start, onOther);
-  constexpr double kBeyond = 1e-7;
-  if (!found || found->first < from - kBeyond || found->first > to + kBeyond) return std::nullopt;
+  constexpr double kPastEnd = 1e-7;
+  if (!found || found->first < from - kPastEnd || found->first > to + kPastEnd) return std::nullopt;
   const gp_Pnt2d at = flat->Value(found->first);
   std::array<Vector2d, 2> on;
   on[side] = {at.X(), at.Y()};
