@@ -1,5 +1,6 @@
 // Solids whose faces come from the faces and edges of the body: a body from a STEP file that moves
-// along straight lines or turns about a fixed axis, and polyhedra along any motion.
+// along straight lines or turns about a fixed axis, and bodies with planes and cylinders along any
+// motion.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
@@ -223,6 +224,16 @@ TEST_F(BodySolid, BoxAlongAScrewWithARest) {
   motion_.interpolation = Interpolation::Screw;
   compute();
   expectExactFaces();
+}
+
+TEST_F(BodySolid, RodThatTurnsWhileItMoves) {
+  const std::string file = folder_.file("rod.brep");
+  writeRod(kRadius, kLength, file);
+  readBodyFrom(file);
+  sweep({{0, 0, 0}, {9, 13, 8}}, turned(0.6, {1, 2, 1}));
+  expectExactFaces();
+  EXPECT_LE(kinds_["cylinder"], 4);
+  EXPECT_LE(judged_.faces, 20);
 }
 
 // In such a step, a face slides within its plane. Its surfaces are recognised in the mesh.

@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "base/parallel.h"
 #include "solid/assemble/pieces.h"
@@ -133,11 +134,11 @@ TopoDS_Shape fused(const TopTools_ListOfShape& arguments, const Message_Progress
   return fuser.HasErrors() ? TopoDS_Shape() : fuser.Shape();
 }
 
-TopoDS_Shape dividedAtSections(const SweptFaces& given) {
+TopoDS_Shape dividedAtSections(const SweptFaces& given, double near) {
   std::vector<TopoDS_Face> faces;
   for (const SweptFace& face : given.faces) faces.push_back(face.face);
   try {
-    return divideFaces(faces, *given.sections, given.near);
+    return divideFaces(faces, *given.sections, near);
   } catch (const Standard_Failure&) {
     return {};  // the general fuse may succeed
   }
@@ -183,13 +184,22 @@ TopoDS_Shape solidsOf(const std::vector<TopoDS_Face>& faces) {
   return result;
 }
 
+// Joins adjacent pieces of one surface, if the kernel can do this.
+TopoDS_Shape joined(const TopoDS_Shape& solids) {
+  try {
+    ShapeUpgrade_UnifySameDomain joiner(solids, Standard_True, Standard_True, Standard_False);
+    joiner.Build();
+    return joiner.Shape();
+  } catch (const Standard_Failure&) {
+    return solids;
+  }
+}
+
 // Joins adjacent pieces of one surface. Returns a null shape if the solid cannot be made valid.
 TopoDS_Shape unified(const TopoDS_Shape& solids) {
-  ShapeUpgrade_UnifySameDomain joiner(solids, Standard_True, Standard_True, Standard_False);
-  joiner.Build();
   // mm: parameter curves may miss the vertices at their ends by rounding errors.
   constexpr double kMaxTolerance = 1e-4;
-  for (const TopoDS_Shape& shape : {joiner.Shape(), solids}) {
+  for (const TopoDS_Shape& shape : {joined(solids), solids}) {
     TopTools_IndexedMapOfShape none;
     BOPTools_AlgoTools::CorrectTolerances(shape, none, kMaxTolerance);
     if (BRepCheck_Analyzer(shape).IsValid()) return shape;
@@ -212,8 +222,13 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
     return isRight ? unified(solids) : TopoDS_Shape();
   };
   if (faces.sections) {
-    const TopoDS_Shape divided = dividedAtSections(faces);
-    if (!divided.IsNull()) {
+    // If ends of sections that belong together are farther apart than expected, the faces do not
+    // fit together. Then they are divided again with a larger distance.
+    constexpr double kLargerNear = 1e-4;
+    for (const double near : std::set<double>{faces.near, kLargerNear, kMaxNear}) {
+      if (scope.UserBreak()) return {};
+      const TopoDS_Shape divided = dividedAtSections(faces, near);
+      if (divided.IsNull()) continue;
       const Pieces pieces(divided, sides);
       const TopoDS_Shape solid =
           pieces.openEdges().empty() ? solidOf(pieces.chosen()) : TopoDS_Shape();

@@ -30,11 +30,6 @@
 namespace swept::step {
 namespace {
 
-/// mm: bodies from files may be less exact than their caller says. In the leg of a robot, with
-/// edges up to 7e-4 mm off their faces, ends that belong together are up to 3.5e-4 mm apart. So the
-/// distance within which they are one follows the worst vertex of the body, up to this value.
-constexpr double kMaxNear = 5e-4;
-
 class Divider {
  public:
   Divider(const std::vector<TopoDS_Face>& faces, double near) : faces_(faces), least_(near) {
@@ -163,7 +158,7 @@ class Divider {
     TopTools_IndexedMapOfShape vertices;
     std::map<std::pair<int, int>, std::vector<TopoDS_Edge>> kept;
     for (int e = 1; e <= edges_.Extent(); ++e) {
-      const TopoDS_Edge& edge = TopoDS::Edge(edges_(e).Oriented(TopAbs_FORWARD));
+      const TopoDS_Edge edge = TopoDS::Edge(edges_(e).Oriented(TopAbs_FORWARD));
       if (BRep_Tool::Degenerated(edge)) continue;
       if (parts_[e].empty()) parts_[e].push_back(edge);
       for (TopoDS_Edge& part : parts_[e]) {

@@ -23,6 +23,11 @@ struct SweptSection {
   std::vector<int> faces;
 };
 
+/// mm: bodies from files may be less exact than their caller says. In the leg of a robot, with
+/// edges up to 7e-4 mm off their faces, ends that belong together are up to 3.5e-4 mm apart. So the
+/// distance within which they are one follows the worst vertex of the body, up to this value.
+constexpr double kMaxNear = 5e-4;
+
 /// Returns a compound of the pieces; the given faces stay as they are. A face that the kernel
 /// cannot divide stays in one piece. `near`: mm, the end of a section is moved to a vertex or an
 /// edge that is nearer than this, or nearer than twice the tolerance of the vertex or edge. May

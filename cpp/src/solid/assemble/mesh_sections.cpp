@@ -29,7 +29,7 @@ constexpr double kTriangleDeflection = 10;
 struct FaceCurve {
   TopoDS_Edge edge;
   std::vector<int> faces;
-  bool isDivider = false;
+  bool isDivider = false, isFold = false;
 
   bool liesOn(int f) const { return std::find(faces.begin(), faces.end(), f) != faces.end(); }
   gp_Pnt middle() const {
@@ -58,10 +58,12 @@ class Finder {
       : faces_(faces, kTriangleDeflection * sides.detail()), sides_(sides) {}
 
   std::vector<SweptSection> find(const std::vector<SweptSection>& dividers,
+                                 const std::vector<SweptSection>& folds,
                                  const std::vector<gp_Pnt>& crossings,
                                  const Message_ProgressRange& progress) {
     for (const SweptSection& divider : dividers)
       dividers_.push_back({divider.edge, divider.faces, true});
+    for (const SweptSection& fold : folds) dividers_.push_back({fold.edge, fold.faces, true, true});
     addVertices(crossings);
     certain_ = events_.size();
     Message_ProgressScope scope(progress, "", 4);
@@ -111,15 +113,21 @@ class Finder {
     // mm: where faces cross at a common edge, Newton's method finds points of the edge exactly;
     // where they are tangent along a divider, it does not.
     constexpr double kCrossing = 1e-5, kTangent = 1e-3;
+    constexpr double kAnySine = 1, kTangentSine = 2e-3;
     std::vector<SharedCurve> shared;
+    std::vector<std::pair<int, TopoDS_Edge>> folds;
     for (const int e : faces_.edgesOf(a)) {
-      if (faces_.hasEdge(b, e)) shared.push_back({curveOf(faces_.edge(e)), kCrossing});
+      if (faces_.hasEdge(b, e)) shared.push_back({curveOf(faces_.edge(e)), kCrossing, kAnySine});
     }
     for (const FaceCurve& divider : dividers_) {
       if (divider.liesOn(a) && divider.liesOn(b))
-        shared.push_back({curveOf(divider.edge), kTangent});
+        shared.push_back({curveOf(divider.edge), kTangent, kTangentSine});
+      if (divider.isFold) {
+        if (divider.liesOn(a)) folds.emplace_back(0, divider.edge);
+        if (divider.liesOn(b)) folds.emplace_back(1, divider.edge);
+      }
     }
-    return {faces_, a, b, std::move(shared), events_};
+    return {faces_, a, b, std::move(shared), std::move(folds), events_};
   }
 
   // Makes sections from the chains of the triangulations.
@@ -174,9 +182,7 @@ class Finder {
   // Adds an event where a curve passes through a face. It is less certain, the smaller the sine of
   // the angle is. Does nothing if it may be a known one.
   void addEvent(const Vector3d& p, double sine) {
-    constexpr double kLargest = 1e-3;  // mm
-    const double uncertainty =
-        std::clamp(4 * kCurveBound / std::max(sine, kCurveBound), kSamePoint, kLargest);
+    const double uncertainty = uncertaintyOf(sine);
     for (std::size_t i = 0; i < events_.size(); ++i) {
       if ((events_[i] - p).norm() < (i < certain_ ? uncertainty : kSamePoint)) return;
     }
@@ -219,7 +225,7 @@ class Finder {
         addEvent(at, std::abs(faces_.jet(face, found->second)
                                   .normal()
                                   .dot(vectorOf(tangent.XYZ()).normalized())));
-        if (!isStart) continue;
+        if (!isStart || curve.isFold) continue;
         for (const int f : curve.faces) {
           const Handle(Geom2d_Curve) flat = faces_.curveOn(f, curve.edge);
           if (flat.IsNull()) continue;
@@ -358,9 +364,10 @@ class Finder {
 
 std::vector<SweptSection> meshSections(const std::vector<SweptFace>& faces,
                                        const std::vector<SweptSection>& dividers,
+                                       const std::vector<SweptSection>& folds,
                                        const std::vector<gp_Pnt>& crossings, const Sides& sides,
                                        const Message_ProgressRange& progress) {
-  return Finder(faces, sides).find(dividers, crossings, progress);
+  return Finder(faces, sides).find(dividers, folds, crossings, progress);
 }
 
 }  // namespace swept::step

@@ -30,6 +30,7 @@ namespace swept::step {
 /// Returns nothing if the user cancels.
 std::vector<SweptSection> meshSections(const std::vector<SweptFace>& faces,
                                        const std::vector<SweptSection>& dividers,
+                                       const std::vector<SweptSection>& folds,
                                        const std::vector<gp_Pnt>& crossings, const Sides& sides,
                                        const Message_ProgressRange& progress);
 

@@ -4,6 +4,7 @@
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2dAdaptor_Curve.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp.hxx>
@@ -15,6 +16,7 @@
 
 #include "geometry/segment_triangle.h"
 #include "solid/assemble/kernel_geometry.h"
+#include "solid/assemble/zero_curves.h"
 
 namespace swept::step {
 
@@ -86,6 +88,30 @@ MeshedFaces::MeshedFaces(const std::vector<SweptFace>& faces, double deflection)
   tree_ = BoxTree(triangles_.size(), [&](std::size_t i) { return boxOf(triangles_[i]); });
 }
 
+// Appends the parts of a border of a face.
+void MeshedFaces::appendParts(const TopoDS_Face& face, const TopoDS_Edge& edge,
+                              std::vector<BorderPart>& to) {
+  BorderPart whole;
+  whole.curve = BRep_Tool::CurveOnSurface(edge, face, whole.range[0], whole.range[1]);
+  if (whole.curve.IsNull()) return;
+  whole.isStraight = Geom2dAdaptor_Curve(whole.curve).GetType() == GeomAbs_Line;
+  const Range range{whole.range[0], whole.range[1]};
+  std::vector<double> ends{range.from};
+  if (!whole.isStraight) {
+    ends = zerosOf([&](double t) { return whole.curve->DN(t, 1).Y(); }, range);
+    ends.insert(ends.begin(), range.from);
+  }
+  ends.push_back(range.to);
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    BorderPart& part = to.emplace_back(whole);
+    part.range = {ends[i], ends[i + 1]};
+    for (const int k : {0, 1}) {
+      const gp_Pnt2d p = whole.curve->Value(part.range[k]);
+      part.ends[k] = {p.X(), p.Y()};
+    }
+  }
+}
+
 MeshedFaces::Meshed MeshedFaces::meshOf(const TopoDS_Face& face,
                                         std::map<std::array<long long, 3>, int>& nodes) const {
   Meshed mesh;
@@ -110,6 +136,7 @@ MeshedFaces::Meshed MeshedFaces::meshOf(const TopoDS_Face& face,
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
     const int e = edges_.FindIndex(it.Current());
     mesh.edges.insert(e);
+    appendParts(face, TopoDS::Edge(it.Current()), mesh.parts);
     const auto polygon = BRep_Tool::PolygonOnTriangulation(TopoDS::Edge(it.Current()), made, place);
     if (polygon.IsNull()) continue;
     const TColStd_Array1OfInteger& along = polygon->Nodes();
@@ -151,16 +178,25 @@ Jet MeshedFaces::jet(int f, const Vector2d& on) const {
   return {vectorOf(p.XYZ()), vectorOf(u.XYZ()), vectorOf(v.XYZ())};
 }
 
+double MeshedFaces::BorderPart::uAt(double v) const {
+  const double fraction = (v - ends[0].y()) / (ends[1].y() - ends[0].y());
+  if (isStraight) return ends[0].x() + fraction * (ends[1].x() - ends[0].x());
+  constexpr int kHalvings = 50;
+  const bool isGrowing = ends[1].y() > ends[0].y();
+  double from = range[0], to = range[1];
+  for (int round = 0; round < kHalvings; ++round) {
+    const double middle = (from + to) / 2;
+    ((curve->Value(middle).Y() < v) == isGrowing ? from : to) = middle;
+  }
+  return curve->Value((from + to) / 2).X();
+}
+
 bool MeshedFaces::isInFace(int f, const Vector2d& on) const {
-  // Counts the segments of the border between the point and a point far away. The borders of
-  // polyhedra and of what their edges sweep are straight in the parameters.
+  // Counts the parts of the border between the point and a point far away.
   bool isInside = false;
-  const Meshed& mesh = faces_[f];
-  for (const auto& [nodes, edge] : mesh.borders) {
-    const Vector2d &a = mesh.parameters[nodes.first], &b = mesh.parameters[nodes.second];
-    if ((a.y() <= on.y()) == (b.y() <= on.y())) continue;
-    const double x = a.x() + (on.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-    isInside ^= x > on.x();
+  for (const BorderPart& part : faces_[f].parts) {
+    if ((part.ends[0].y() <= on.y()) != (part.ends[1].y() <= on.y()))
+      isInside ^= part.uAt(on.y()) > on.x();
   }
   return isInside;
 }
@@ -248,8 +284,8 @@ std::vector<FaceChain> MeshedFaces::chains() const {
 std::map<int, Vector2d> MeshedFaces::near(const Vector3d& from, const Vector3d& to) const {
   std::map<int, Vector2d> result;
   std::map<int, double> distances;
-  constexpr double kMargin = 4;  // times the deflection
-  const Vector3d margin = Vector3d::Constant(kMargin * deflection_), middle = (from + to) / 2;
+  constexpr double kNearby = 4;  // times the deflection
+  const Vector3d margin = Vector3d::Constant(kNearby * deflection_), middle = (from + to) / 2;
   tree_.forBox(from.cwiseMin(to) - margin, from.cwiseMax(to) + margin, [&](std::uint32_t place) {
     const Triangle& t = triangles_[tree_.item(place)];
     const Meshed& mesh = faces_[t.first];

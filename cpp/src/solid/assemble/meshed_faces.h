@@ -76,6 +76,14 @@ class MeshedFaces {
   std::map<int, Eigen::Vector2d> near(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
  private:
+  // A part of the border of a face, in its parameters, along which v only grows or only falls.
+  struct BorderPart {
+    Handle(Geom2d_Curve) curve;
+    std::array<double, 2> range;
+    std::array<Eigen::Vector2d, 2> ends;
+    bool isStraight;
+    double uAt(double v) const;
+  };
   struct Meshed {
     Handle(Geom_Surface) surface;
     std::vector<Eigen::Vector3d> nodes;
@@ -84,11 +92,14 @@ class MeshedFaces {
     std::vector<std::array<int, 3>> triangles;
     std::map<std::pair<int, int>, int> borders;  // two nodes -> edge
     std::set<int> edges;
+    std::vector<BorderPart> parts;
   };
   using Triangle = std::pair<int, int>;  // face, triangle of the face
   struct FoundPiercing;
   struct PairChains;
 
+  static void appendParts(const TopoDS_Face& face, const TopoDS_Edge& edge,
+                          std::vector<BorderPart>& to);
   Meshed meshOf(const TopoDS_Face& face, std::map<std::array<long long, 3>, int>& nodes) const;
   const std::array<int, 3>& corners(const Triangle& t) const {
     return faces_[t.first].triangles[t.second];

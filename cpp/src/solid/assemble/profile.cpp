@@ -135,9 +135,9 @@ void ProfileBox::add(const ProfileBox& box) {
 }
 
 bool ProfileBox::overlaps(const ProfileBox& box) const {
-  constexpr double kMargin = 2 * kChord;
-  return low.X() <= box.high.X() + kMargin && box.low.X() <= high.X() + kMargin &&
-         low.Y() <= box.high.Y() + kMargin && box.low.Y() <= high.Y() + kMargin;
+  constexpr double kBoxMargin = 2 * kChord;
+  return low.X() <= box.high.X() + kBoxMargin && box.low.X() <= high.X() + kBoxMargin &&
+         low.Y() <= box.high.Y() + kBoxMargin && box.low.Y() <= high.Y() + kBoxMargin;
 }
 
 PlaneProfile::PlaneProfile(const TopoDS_Edge& e, const Projection& projection) : edge(e), curve(e) {

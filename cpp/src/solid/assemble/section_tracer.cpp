@@ -36,6 +36,12 @@ bool areConnected(const PointOnBoth& a, const PointOnBoth& b) {
          std::abs(secant.dot(b.tangent)) >= kMinCosine * b.sine;
 }
 
+// Returns whether one of the faces turns back between the points.
+bool isFoldBetween(const PointOnBoth& a, const PointOnBoth& b) {
+  return a.jets[0].normal().dot(b.jets[0].normal()) < 0 ||
+         a.jets[1].normal().dot(b.jets[1].normal()) < 0;
+}
+
 // Turns all tangents forward.
 void orient(std::vector<PointOnBoth>& points) {
   double forward = 0;
@@ -69,6 +75,23 @@ void tidy(std::vector<PointOnBoth>& points) {
   points = std::move(kept);
 }
 
+// Returns the change of the parameters of a face along the curve. At a fold they change infinitely
+// fast, so the result is limited by their change along the chords.
+gp_Vec2d flatTangent(const std::vector<PointOnBoth>& points, std::size_t i, int side) {
+  constexpr double kMaxGain = 3;
+  Vector2d steepest = Vector2d::Zero();
+  for (std::size_t k = std::max<std::size_t>(i, 1); k <= std::min(i + 1, points.size() - 1); ++k) {
+    const Vector2d slope =
+        (points[k].on[side] - points[k - 1].on[side]) / (points[k].at - points[k - 1].at).norm();
+    if (slope.norm() > steepest.norm()) steepest = slope;
+  }
+  const Jet& jet = points[i].jets[side];
+  const Vector2d tangent = parameterStep(points[i].tangent.normalized(), jet);
+  const bool isUsable = tangent.norm() <= kMaxGain * steepest.norm();
+  const Vector2d& used = isUsable ? tangent : steepest;
+  return {used.x(), used.y()};
+}
+
 double lengthOf(const std::vector<PointOnBoth>& points) {
   double sum = 0;
   for (std::size_t i = 1; i < points.size(); ++i) sum += (points[i].at - points[i - 1].at).norm();
@@ -76,6 +99,11 @@ double lengthOf(const std::vector<PointOnBoth>& points) {
 }
 
 }  // namespace
+
+double uncertaintyOf(double sine) {
+  constexpr double kLargest = 1e-3;
+  return std::clamp(4 * kCurveBound / std::max(sine, kCurveBound), kSamePoint, kLargest);
+}
 
 std::optional<std::pair<double, Vector2d>> throughFace(const MeshedFaces& faces, int face,
                                                        const BRepAdaptor_Curve& curve, double t,
@@ -138,9 +166,9 @@ std::optional<PointOnBoth> SectionTracer::onBoth(std::array<Vector2d, 2> on,
 }
 
 // Returns the point where an edge of one face passes through the other face.
-std::optional<PointOnBoth> SectionTracer::atBorder(int side, int e, const Vector3d& near,
+std::optional<PointOnBoth> SectionTracer::atBorder(int side, const TopoDS_Edge& edge,
+                                                   const Vector3d& near,
                                                    const Vector2d& onOther) const {
-  const TopoDS_Edge edge = faces_.edge(e);
   const Handle(Geom2d_Curve) flat = faces_.curveOn(of_[side], edge);
   if (flat.IsNull()) return std::nullopt;
   double from, to;
@@ -161,7 +189,25 @@ std::optional<PointOnBoth> SectionTracer::atBorder(int side, int e, const Vector
   std::array<Vector2d, 2> on;
   on[side] = {at.X(), at.Y()};
   on[1 - side] = found->second;
-  return pointAt(vectorOf(curve.Value(found->first).XYZ()), on);
+  const PointOnBoth point = pointAt(vectorOf(curve.Value(found->first).XYZ()), on);
+  const Vector3d along = vectorOf(curve.DN(found->first, 1).XYZ()).normalized();
+  return atCertainEvent(point, std::abs(along.dot(point.jets[1 - side].normal())));
+}
+
+// Returns the event at a point on a border, if it may be that point, otherwise the point.
+PointOnBoth SectionTracer::atCertainEvent(const PointOnBoth& point, double sine) const {
+  PointOnBoth result = point;
+  double nearest = uncertaintyOf(sine);
+  for (const Vector3d& event : events_) {
+    const double distance = (event - point.at).norm();
+    if (distance >= nearest) continue;
+    const auto a = footOn(0, point.on[0], event), b = footOn(1, point.on[1], event);
+    if (!a || !b) continue;
+    nearest = distance;
+    result.at = event;
+    result.on = {*a, *b};
+  }
+  return result;
 }
 
 // Returns the parameters of a point that lies on the face.
@@ -175,9 +221,10 @@ std::optional<Vector2d> SectionTracer::footOn(int side, Vector2d on, const Vecto
   return on;
 }
 
-bool SectionTracer::isShared(const Vector3d& p) const {
+bool SectionTracer::isShared(const PointOnBoth& point) const {
   return std::any_of(shared_.begin(), shared_.end(), [&](const SharedCurve& shared) {
-    const GeomAPI_ProjectPointOnCurve foot(pointOf(p), shared.curve);
+    if (point.sine > shared.largest) return false;
+    const GeomAPI_ProjectPointOnCurve foot(pointOf(point.at), shared.curve);
     return foot.NbPoints() > 0 && foot.LowerDistance() < shared.near;
   });
 }
@@ -208,10 +255,10 @@ std::vector<SectionTracer::Run> SectionTracer::runsOf(
       if (!shared_.empty() && (piercing.isNode || isCommonVertex(piercing.at))) continue;
       const bool isEnd = i == 0 || i + 1 == chain.size();
       const bool isBorder = isEnd && piercing.border >= 0;
-      const auto point = isBorder ? atBorder(piercing.borderSide, piercing.border, piercing.at,
-                                             piercing.on[1 - piercing.borderSide])
+      const auto point = isBorder ? atBorder(piercing.borderSide, faces_.edge(piercing.border),
+                                             piercing.at, piercing.on[1 - piercing.borderSide])
                                   : onBoth(piercing.on);
-      if (!point || point->sine < kTangentFaces || isShared(point->at) ||
+      if (!point || point->sine < kTangentFaces || isShared(*point) ||
           (point->at - piercing.at).norm() > kFarthest * faces_.deflection()) {
         finish();
         continue;
@@ -222,7 +269,9 @@ std::vector<SectionTracer::Run> SectionTracer::runsOf(
         if (!isExact) continue;
         if (run.points.size() > 1) run.points.pop_back();
       }
-      if (!run.points.empty() && !areConnected(run.points.back(), *point)) finish();
+      if (!run.points.empty() &&
+          (!areConnected(run.points.back(), *point) || isFoldBetween(run.points.back(), *point)))
+        finish();
       if (run.points.empty()) run.isFirstExact = isExact;
       run.isLastExact = isExact;
       run.points.push_back(*point);
@@ -256,14 +305,15 @@ void SectionTracer::extend(std::vector<PointOnBoth>& points) {
   constexpr int kMaxSteps = 2000;
   for (int i = 0; i < kMaxSteps && h >= shortest; ++i) {
     const auto point = next(points.back(), h);
-    if (!point || point->sine < kTangentFaces || isShared(point->at)) {
+    if (!point || point->sine < kTangentFaces || isShared(*point)) {
       h /= 2;
       continue;
     }
     const bool isClosed = i > 3 && (point->at - points.front().at).norm() < h;
     if (isClosed) break;
-    if (!isInBoth(*point)) {
-      if (endAtBorder(*point, points)) return;
+    const bool isFold = isFoldBetween(points.back(), *point);
+    if (isFold || !isInBoth(*point)) {
+      if ((!isFold || h < 4 * shortest) && endAtBorder(*point, points)) return;
       h /= 2;
       continue;
     }
@@ -279,20 +329,25 @@ bool SectionTracer::endAtBorder(const PointOnBoth& outside, std::vector<PointOnB
   const double step = (outside.at - inside.at).norm();
   std::optional<PointOnBoth> best;
   double nearest = 1.2 * step;
+  std::vector<std::pair<int, TopoDS_Edge>> borders = folds_;
   for (const int k : {0, 1}) {
     for (const int e : faces_.edgesOf(of_[k])) {
-      if (faces_.hasEdge(of_[1 - k], e)) continue;
-      auto point =
-          atBorder(k, e, (inside.at + outside.at) / 2, (inside.on[1 - k] + outside.on[1 - k]) / 2);
-      if (!point) continue;
-      const Vector3d way = point->at - inside.at;
-      if (way.norm() >= nearest || way.dot(inside.tangent) < -kSamePoint ||
-          isCommonVertex(point->at))
-        continue;
-      if (point->tangent.dot(inside.tangent) < 0) point->tangent *= -1;
-      nearest = way.norm();
-      best = point;
+      if (!faces_.hasEdge(of_[1 - k], e)) borders.emplace_back(k, faces_.edge(e));
     }
+  }
+  for (std::size_t i = 0; i < borders.size(); ++i) {
+    const auto& [k, border] = borders[i];
+    auto point = atBorder(k, border, (inside.at + outside.at) / 2,
+                          (inside.on[1 - k] + outside.on[1 - k]) / 2);
+    if (!point) continue;
+    const Vector3d way = point->at - inside.at;
+    if (way.norm() >= nearest || way.dot(inside.tangent) < -kSamePoint || isCommonVertex(point->at))
+      continue;
+    const bool isFold = i < folds_.size();
+    if (isFold) point->tangent = inside.tangent;
+    if (point->tangent.dot(inside.tangent) < 0) point->tangent *= -1;
+    nearest = way.norm();
+    best = point;
   }
   if (!best) return false;
   if (points.size() > 1 && nearest < 0.1 * faces_.deflection()) points.pop_back();
@@ -338,15 +393,30 @@ TopoDS_Edge SectionTracer::edgeAlong(Run run) {
 
 TopoDS_Edge SectionTracer::edgeThrough(const Vector3d& p, const std::array<Vector2d, 2>& on) {
   const PointOnBoth start = pointAt(p, on);
-  if (start.sine < kTangentFaces || isShared(p)) return {};
+  if (start.sine < kTangentFaces || isShared(start)) return {};
   std::vector<PointOnBoth> points{start};
   for (int side = 0; side < 2; ++side) {
     const auto first = next(points.back(), faces_.deflection());
     if (first && isInBoth(*first)) extend(points);
     turnBack(points);
   }
-  if (points.size() < 3 && isShared((points.front().at + points.back().at) / 2)) return {};
+  if (points.size() < 3 &&
+      isShared(pointAt((points.front().at + points.back().at) / 2, points.front().on)))
+    return {};
   return edgeOf(std::move(points));
+}
+
+// Returns a point of the curve between two others.
+std::optional<PointOnBoth> SectionTracer::between(const PointOnBoth& a,
+                                                  const PointOnBoth& b) const {
+  constexpr double kMaxOff = 0.3;  // times the chord
+  const Vector3d chord = b.at - a.at, middle = (a.at + b.at) / 2;
+  const auto point =
+      onBoth({(a.on[0] + b.on[0]) / 2, (a.on[1] + b.on[1]) / 2}, Plane(middle, chord.normalized()));
+  const bool isBetween = point && point->sine >= kTangentFaces &&
+                         (point->at - middle).norm() < kMaxOff * chord.norm() &&
+                         !isFoldBetween(a, *point) && !isFoldBetween(*point, b);
+  return isBetween ? point : std::nullopt;
 }
 
 // Makes the edge through points of the curve. Adds points until it is exact between them.
@@ -359,13 +429,11 @@ TopoDS_Edge SectionTracer::edgeOf(std::vector<PointOnBoth> points) const {
   for (int round = 1;; ++round) {
     std::vector<CurvePoint> places;
     std::array<std::vector<CurvePoint2d>, 2> flat;
-    for (const PointOnBoth& point : points) {
-      const gp_Vec tangent = vecOf(point.tangent.normalized());
-      places.push_back({pointOf(point.at), tangent});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const PointOnBoth& point = points[i];
+      places.push_back({pointOf(point.at), vecOf(point.tangent.normalized())});
       for (const int k : {0, 1}) {
-        flat[k].push_back(
-            {{point.on[k].x(), point.on[k].y()},
-             parametersAlong(tangent, vecOf(point.jets[k].u), vecOf(point.jets[k].v))});
+        flat[k].push_back({{point.on[k].x(), point.on[k].y()}, flatTangent(points, i, k)});
       }
     }
     std::vector<double> lengths;
@@ -386,8 +454,8 @@ TopoDS_Edge SectionTracer::edgeOf(std::vector<PointOnBoth> points) const {
         middle[k] = {p.X(), p.Y()};
         isExact = isExact && (jet(k, middle[k]).at - at).norm() <= kCurveBound;
       }
-      const auto point = isExact ? std::nullopt : onBoth(middle);
-      if (point && point->sine >= kTangentFaces) finer.push_back(*point);
+      if (isExact) continue;
+      if (const auto point = between(points[i], points[i + 1])) finer.push_back(*point);
     }
     if (finer.size() > points.size() && finer.size() <= kMaxPoints && round < kRounds) {
       orient(finer);

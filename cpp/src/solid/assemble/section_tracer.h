@@ -28,6 +28,10 @@ constexpr double kTangentFaces = 2e-4;
 /// mm: points nearer than this are one.
 constexpr double kSamePoint = 1e-6;
 
+/// Returns how far (mm) a point where a curve passes through a face may be from the exact one.
+/// `sine`: of the angle between both.
+double uncertaintyOf(double sine);
+
 struct PointOnBoth {
   Eigen::Vector3d at, tangent;  ///< `tangent` is as long as `sine`
   std::array<Eigen::Vector2d, 2> on;
@@ -38,7 +42,8 @@ struct PointOnBoth {
 /// A curve that lies on two faces by construction.
 struct SharedCurve {
   Handle(Geom_Curve) curve;
-  double near;  ///< mm: points nearer than this may belong to it
+  double near;     ///< mm: points nearer than this may belong to it,
+  double largest;  ///< if the sine of the angle between the faces is smaller than this
 };
 
 /// Returns the parameter of a curve and the parameters of a face at which the curve passes through
@@ -49,12 +54,15 @@ std::optional<std::pair<double, Eigen::Vector2d>> throughFace(const MeshedFaces&
 
 class SectionTracer {
  public:
-  /// `shared`: curves of both faces that are no intersections.
+  /// `shared`: curves of both faces that are no intersections. `folds`: curves at which one of the
+  /// faces turns back (0: a, 1: b). Curves of intersection have cusps there, and end.
   SectionTracer(const MeshedFaces& faces, int a, int b, std::vector<SharedCurve> shared,
+                std::vector<std::pair<int, TopoDS_Edge>> folds,
                 const std::vector<Eigen::Vector3d>& events)
       : faces_(faces),
         of_{a, b},
         shared_(std::move(shared)),
+        folds_(std::move(folds)),
         commonVertices_(faces.commonVertices(a, b)),
         events_(events) {}
 
@@ -85,22 +93,26 @@ class SectionTracer {
   PointOnBoth pointAt(const Eigen::Vector3d& p, const std::array<Eigen::Vector2d, 2>& on) const;
   std::optional<PointOnBoth> onBoth(std::array<Eigen::Vector2d, 2> on,
                                     const std::optional<Plane>& plane = std::nullopt) const;
-  std::optional<PointOnBoth> atBorder(int side, int e, const Eigen::Vector3d& near,
+  std::optional<PointOnBoth> atBorder(int side, const TopoDS_Edge& edge,
+                                      const Eigen::Vector3d& near,
                                       const Eigen::Vector2d& onOther) const;
+  PointOnBoth atCertainEvent(const PointOnBoth& point, double sine) const;
   std::optional<Eigen::Vector2d> footOn(int side, Eigen::Vector2d on,
                                         const Eigen::Vector3d& p) const;
-  bool isShared(const Eigen::Vector3d& p) const;
+  bool isShared(const PointOnBoth& point) const;
   bool isInBoth(const PointOnBoth& point) const;
   bool isCommonVertex(const Eigen::Vector3d& p) const;
   std::optional<PointOnBoth> next(const PointOnBoth& from, double h) const;
   void extend(std::vector<PointOnBoth>& points);
   bool endAtBorder(const PointOnBoth& outside, std::vector<PointOnBoth>& points);
   void endAtEvent(std::vector<PointOnBoth>& points) const;
+  std::optional<PointOnBoth> between(const PointOnBoth& a, const PointOnBoth& b) const;
   TopoDS_Edge edgeOf(std::vector<PointOnBoth> points) const;
 
   const MeshedFaces& faces_;
   const std::array<int, 2> of_;
   const std::vector<SharedCurve> shared_;
+  const std::vector<std::pair<int, TopoDS_Edge>> folds_;  // of which face
   const std::vector<Eigen::Vector3d> commonVertices_;
   const std::vector<Eigen::Vector3d>& events_;
   std::vector<Eigen::Vector3d> ends_;

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "solid/assemble/polyhedron.h"
+#include "solid/assemble/elementary_body.h"
 #include "solid/assemble/shape_triangles.h"
 
 namespace swept::step {
@@ -17,7 +17,7 @@ namespace {
 /// Fractions of the size of the body: how far its triangles may lie from its faces, and how far
 /// sample points lie from the face that they judge.
 constexpr double kDeflection = 1.0 / 80000, kSampleDistance = 1.0 / 30000;
-/// The same for polyhedra, whose triangles are exact, so that only chords of the motion deviate.
+/// The same for bodies with planes and cylinders, where thin triangles are that exact.
 constexpr double kFineDeflection = 1e-7, kFineDistance = 1e-6;
 constexpr double kAngle = 0.1;  // rad, between adjacent triangles of the body
 
@@ -36,8 +36,8 @@ double sizeOf(const TopoDS_Shape& shape) {
 
 Sides::Sides(const TopoDS_Shape& body, const Trajectory& trajectory)
     : size_(sizeOf(body)),
-      isFine_(isPolyhedron(body)),
-      interior_(trianglesOf(body, kDeflection * size_), trajectory,
+      isFine_(isElementary(body)),
+      interior_(trianglesOf(body, (isFine_ ? kFineDeflection : kDeflection) * size_), trajectory,
                 (isFine_ ? kFineDeflection : kDeflection) * size_) {}
 
 double Sides::distance() const { return (isFine_ ? kFineDistance : kSampleDistance) * size_; }

@@ -24,9 +24,9 @@
 #include "motion/pivot.h"
 #include "motion/step_path.h"
 #include "solid/assemble/cut_body.h"
+#include "solid/assemble/elementary_body.h"
 #include "solid/assemble/kernel_geometry.h"
 #include "solid/assemble/mesh_sections.h"
-#include "solid/assemble/polyhedron.h"
 #include "solid/assemble/straight_sections.h"
 #include "solid/assemble/turning_faces.h"
 
@@ -220,7 +220,7 @@ Trajectory withoutRests(Trajectory trajectory) {
 bool canTurn(const BodyShape& body, const Trajectory& trajectory) {
   return trajectory.interpolation != Interpolation::None && trajectory.poses.size() >= 2 &&
          faceCount(body.shape) * (trajectory.poses.size() - 1) <= kMaxTurningFaces &&
-         isPolyhedron(body.shape) && isOneSolid(body.shape);
+         isElementary(body.shape) && isOneSolid(body.shape);
 }
 
 SweptFaces facesOfTurns(const BodyShape& body, const Trajectory& trajectory, const Sides& sides,
@@ -234,7 +234,8 @@ SweptFaces facesOfTurns(const BodyShape& body, const Trajectory& trajectory, con
   if (!made) return {};
   SweptFaces result;
   result.faces = made->faces;
-  result.sections = meshSections(made->faces, made->dividers, made->crossings, sides, progress);
+  result.sections =
+      meshSections(made->faces, made->dividers, made->folds, made->crossings, sides, progress);
   result.near = kExact;
   result.canFuse = false;
   return result;

@@ -1,7 +1,7 @@
 // Makes the faces of which the envelope of a moving body may consist: faces of the body at poses,
 // and the surfaces that its edges and contact curves sweep.
 // In:      the body; a trajectory whose steps are straight moves without turning, or turns about a
-//          fixed axis. For a polyhedron, any trajectory.
+//          fixed axis. For a body with planes and cylinders, any trajectory.
 // Out:     kernel faces in world coordinates. They intersect, and parts of them lie inside the
 //          swept volume; assemble.h finds the parts on its surface.
 // Units:   mm.

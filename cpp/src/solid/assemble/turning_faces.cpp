@@ -2,6 +2,8 @@
 #include "solid/assemble/turning_faces.h"
 
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepClass_FaceClassifier.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_BSplineCurve.hxx>
@@ -17,10 +19,11 @@
 #include <utility>
 
 #include "motion/step_path.h"
+#include "solid/assemble/contact_curves.h"
+#include "solid/assemble/elementary_body.h"
 #include "solid/assemble/interpolate_curve.h"
 #include "solid/assemble/kernel_geometry.h"
-#include "solid/assemble/polyhedron.h"
-#include "solid/assemble/zeros.h"
+#include "solid/assemble/zero_curves.h"
 #include "solid/carrier/fit_spline.h"
 #include "solid/sweep/contact.h"
 #include "solid/sweep/interpolate.h"
@@ -29,29 +32,14 @@
 namespace swept::step {
 namespace {
 
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 /// mm: how far surfaces may lie off the exact ones. Where two of them are nearly tangent, this
 /// error, divided by the sine of the angle between them, is that of their section.
 constexpr double kSurfaceBound = 2e-9;
-
-// The line on which a plane face touches the envelope at time s: the points
-// origin + w along + y(s) across, for all w.
-struct ContactLine {
-  Vector3d origin, along, across;
-  OfTime y;
-  Vector3d at(double w, double s) const { return origin + w * along + y(s) * across; }
-  // Returns the position on an edge of the face at which the line crosses it.
-  OfTime positionOn(const BodyEdge& edge) const {
-    return [y = y, from = edge.start.dot(across), step = edge.along.dot(across)](double s) {
-      return (y(s) - from) / step;
-    };
-  }
-  bool isParallelTo(const BodyEdge& edge) const {
-    constexpr double kParallel = 1e-9;
-    return std::abs(edge.along.dot(across)) < kParallel;
-  }
-};
+/// A cylinder whose axis nearly moves along itself grazes in a surface with some 3,000 poles.
+constexpr std::size_t kMaxTurningPoles = 10000;
 
 // The body between two times of a step: the copies there, what the edges sweep between them.
 struct Span {
@@ -62,11 +50,27 @@ struct Span {
   std::vector<int> sheets;         // by edge: a face, or -1
 };
 
+// A curve on what an edge sweeps, on which the normal of a face at the edge is orthogonal to the
+// velocity: it is a path of points of contact.
+struct Contact {
+  int edge, face;
+  int curve;  // of ContactCurves
+  std::size_t span;
+  ZeroArc arc;  // parameter of the edge, time
+  Range s;
+};
+
+// A grazing surface. Its parameters are the position on the contact curve, and time.
+struct Graze {
+  int surface, curve;
+  Range w, s;
+  int face;
+};
+
 class TurningStep {
  public:
-  TurningStep(const TopoDS_Shape& shape, const Polyhedron& body, const StepPath& path, int pose,
-              TurningFaces& to)
-      : shape_(shape), body_(body), path_(path), pose_(pose), to_(to) {
+  TurningStep(const ElementaryBody& body, const StepPath& path, int pose, TurningFaces& to)
+      : body_(body), path_(path), pose_(pose), to_(to) {
     constexpr int kChords = 16;
     for (int v = 0; v < body.vertices.Extent(); ++v) {
       double travel = 0;
@@ -77,29 +81,51 @@ class TurningStep {
       length_ = std::max(length_, travel);
       shortest_ = std::min(shortest_, travel);
     }
-    for (std::size_t f = 0; f < body.faces.size(); ++f)
-      lines_.push_back(contactLineOf(static_cast<int>(f)));
+    for (const BodySurface& surface : body.surfaces) curves_.emplace_back(surface, path);
   }
 
   // Returns false if there is no regular surface for a face or an edge.
   bool append(const PosedBody& start, const PosedBody& end) {
     constexpr double kNoTravel = 1e-5;  // mm
-    if (shortest_ < kNoTravel || doesSlide()) return false;
+    if (shortest_ < kNoTravel || doesSlide()) {
+      return false;
+    }
     const std::vector<double> times = pinches();
     for (std::size_t i = 1; i + 1 < times.size(); ++i)
-      between_.emplace_back(shape_, path_.poseAt(times[i]));
+      between_.emplace_back(body_.shape, path_.poseAt(times[i]));
     for (std::size_t i = 0; i + 1 < times.size(); ++i) {
       Span& span = spans_.emplace_back();
       span.s = {times[i], times[i + 1]};
       span.start = i == 0 ? &start : &between_[i - 1];
       span.end = i + 2 == times.size() ? &end : &between_[i];
-      if (!makePaths(span)) return false;
+      if (!makePaths(span)) {
+        return false;
+      }
     }
     for (std::size_t e = 0; e < body_.edges.size(); ++e) {
-      if (!appendSheet(static_cast<int>(e))) return false;
+      if (!appendSheet(static_cast<int>(e))) {
+        return false;
+      }
+      findContacts(static_cast<int>(e));
     }
-    for (std::size_t f = 0; f < body_.faces.size(); ++f) {
-      if (lines_[f] && !appendGraze(static_cast<int>(f), *lines_[f])) return false;
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+      for (int curve = 0; curve < curves_[i].count(); ++curve) {
+        if (!appendGrazes(static_cast<int>(i), curve)) {
+          return false;
+        }
+      }
+    }
+    for (const Contact& contact : contacts_) {
+      if (!appendContact(contact)) {
+        return false;
+      }
+    }
+    for (const Graze& graze : grazes_) {
+      for (const int time : {0, 1}) {
+        if ((time == 0 && graze.s.from <= 0) || (time == 1 && graze.s.to >= 1))
+          appendContactCurves(graze, time);
+      }
+      appendRegression(graze);
     }
     return true;
   }
@@ -110,20 +136,27 @@ class TurningStep {
   Range timeOf(Range s) const { return {timeOf(s.from), timeOf(s.to)}; }
 
   // Returns n.v at a point.
-  double speedOf(int f, const Vector3d& p, const Moment& moment) const {
-    return body_.faces[f].normal.dot(moment.velocityAt(p));
+  double speedOf(int f, const Vector3d& p, double s) const {
+    return body_.surfaceOf(f).normalAt(p).dot(Moment(path_, s).velocityAt(p));
+  }
+  // Returns n.v at the points (u, s) of an edge.
+  OfTwo speedOn(const BodyEdge& edge, int f) const {
+    return [this, &edge, f](const Vector2d& on) { return speedOf(f, edge.at(on[0]), on[1]); };
   }
 
-  // Returns whether a face moves only within its plane.
+  // Returns whether a face moves only along itself.
   bool doesSlide() const {
-    constexpr int kTimes = 16;
+    constexpr int kTimes = 16, kPoints = 4;
     for (std::size_t f = 0; f < body_.faces.size(); ++f) {
       double largest = 0;
       for (const int e : body_.faces[f].edges) {
+        const BodyEdge& edge = body_.edges[e];
         for (int i = 0; i <= kTimes; ++i) {
-          const Moment moment(path_, static_cast<double>(i) / kTimes);
-          largest = std::max(largest,
-                             std::abs(speedOf(static_cast<int>(f), body_.edges[e].start, moment)));
+          for (int j = 0; j <= kPoints; ++j) {
+            const Vector3d p = edge.at(edge.range.at(static_cast<double>(j) / kPoints));
+            largest = std::max(largest, std::abs(speedOf(static_cast<int>(f), p,
+                                                         static_cast<double>(i) / kTimes)));
+          }
         }
       }
       if (largest <= kNoSpeed * length_) return true;
@@ -131,20 +164,21 @@ class TurningStep {
     return false;
   }
 
-  // Returns nothing if the face keeps its direction.
-  std::optional<ContactLine> contactLineOf(int f) const {
-    const BodyFace& face = body_.faces[f];
-    // The angular velocity is constant in coordinates of the body.
-    const Vector3d across = face.normal.cross(Moment(path_, 0).angular);
-    if (across.norm() <= kNoSpeed) return std::nullopt;
-    ContactLine line;
-    line.origin = face.normal * face.normal.dot(body_.edges[face.edges.front()].start);
-    line.across = across.normalized();
-    line.along = line.across.cross(face.normal);
-    line.y = [this, normal = face.normal, size = across.norm()](double s) {
-      return -normal.dot(Moment(path_, s).linear) / size;
-    };
-    return line;
+  // Returns whether both faces of an edge belong to one surface.
+  bool isWithinSurface(const BodyEdge& edge) const {
+    return body_.faces[edge.faces[0]].surface == body_.faces[edge.faces[1]].surface;
+  }
+  bool isConvex(const BodyEdge& edge) const {
+    constexpr double kFlat = 1e-6;
+    return body_.convexity(edge) > kFlat;
+  }
+  bool isSmooth(const BodyEdge& edge) const {
+    constexpr double kFlat = 1e-6;
+    return std::abs(body_.convexity(edge)) <= kFlat;
+  }
+
+  std::vector<ZeroArc> contactsOf(const BodyEdge& edge, int f, Range s) const {
+    return zeroArcs(speedOn(edge, f), edge.range, s, {edge.scale, length_});
   }
 
   // Returns the start and the end of the step, and between them the times at which a point of an
@@ -153,12 +187,11 @@ class TurningStep {
   std::vector<double> pinches() const {
     std::vector<double> times{0, 1};
     for (const BodyEdge& edge : body_.edges) {
-      if (edge.faces[1] < 0 || !body_.isConvex(edge)) continue;
-      const auto &a = lines_[edge.faces[0]], &b = lines_[edge.faces[1]];
-      if (!a || !b || a->isParallelTo(edge) || b->isParallelTo(edge)) continue;
-      const OfTime first = a->positionOn(edge), second = b->positionOn(edge);
-      for (const double s : zerosOf([&](double x) { return first(x) - second(x); }, {0, 1})) {
-        if (first(s) >= 0 && first(s) <= edge.length) times.push_back(s);
+      if (edge.faces[1] < 0 || !isConvex(edge)) continue;
+      const OfTwo other = speedOn(edge, edge.faces[1]);
+      for (const ZeroArc& arc : contactsOf(edge, edge.faces[0], {0, 1})) {
+        for (const double t : zerosOf([&](double x) { return other(arc.at(x)); }, arc.range()))
+          times.push_back(arc.at(t).y());
       }
     }
     std::sort(times.begin(), times.end());
@@ -170,11 +203,10 @@ class TurningStep {
     return times;
   }
 
-  // Makes the edge s -> exact(s), s in the range. Null if the bound is not reached.
-  TopoDS_Edge edgeOf(const std::function<Vector3d(double)>& exact, Range s) const {
+  // Makes the edge t -> exact(t), t in the range. Null if the bound is not reached.
+  static TopoDS_Edge edgeOf(const std::function<Vector3d(double)>& exact, Range range) {
     TopoDS_Edge edge;
-    const auto fitted =
-        fitSpline([&](double t) { return exact(t / length_); }, timeOf(s), kCurveBound);
+    const auto fitted = fitSpline(exact, range, kCurveBound);
     if (!fitted) return edge;
     const BRep_Builder builder;
     builder.MakeEdge(edge, kernelCurve(*fitted), Precision::Confusion());
@@ -182,14 +214,23 @@ class TurningStep {
     return edge;
   }
 
-  // Adds the curve (position(s), time) in the parameters of a face to an edge of edgeOf().
-  bool addOn(int face, const TopoDS_Edge& edge, const OfTime& position, Range s) const {
-    const auto fitted = fitSpline([&](double t) { return Vector3d(position(t / length_), t, 0); },
-                                  timeOf(s), kCurveBound);
-    if (!fitted) return false;
+  // Adds the curve t -> on(t) in the parameters of a face to an edge of edgeOf(). `scale`: mm per
+  // unit of these parameters.
+  bool addOn(int face, const TopoDS_Edge& edge, const std::function<Vector2d(double)>& on,
+             const Vector2d& scale, Range range) const {
+    const auto fitted = fitSpline(
+        [&](double t) {
+          const Vector2d p = on(t).cwiseProduct(scale);
+          return Vector3d(p.x(), p.y(), 0);
+        },
+        range, kCurveBound);
+    if (!fitted) {
+      return false;
+    }
     const auto space = Handle(Geom_BSplineCurve)::DownCast(kernelCurve(*fitted));
     TColgp_Array1OfPnt2d poles(1, space->NbPoles());
-    for (int i = 1; i <= space->NbPoles(); ++i) poles(i) = {space->Pole(i).X(), space->Pole(i).Y()};
+    for (int i = 1; i <= space->NbPoles(); ++i)
+      poles(i) = {space->Pole(i).X() / scale.x(), space->Pole(i).Y() / scale.y()};
     const Handle(Geom2d_BSplineCurve) curve =
         new Geom2d_BSplineCurve(poles, space->Knots(), space->Multiplicities(), space->Degree());
     BRep_Builder().UpdateEdge(edge, curve, to_.faces[face].face, Precision::Confusion());
@@ -200,8 +241,10 @@ class TurningStep {
     const BRep_Builder builder;
     for (int v = 0; v < body_.vertices.Extent(); ++v) {
       const Vector3d p = body_.point(v);
-      TopoDS_Edge edge = edgeOf([&](double s) { return at(p, s); }, span.s);
-      if (edge.IsNull()) return false;
+      TopoDS_Edge edge = edgeOf([&](double t) { return at(p, t / length_); }, timeOf(span.s));
+      if (edge.IsNull()) {
+        return false;
+      }
       const TopoDS_Shape& vertex = body_.vertices(v + 1);
       builder.Add(edge, span.start->of(vertex).Oriented(TopAbs_FORWARD));
       builder.Add(edge, span.end->of(vertex).Oriented(TopAbs_REVERSED));
@@ -214,26 +257,32 @@ class TurningStep {
   bool isOutline(const BodyEdge& edge) const {
     constexpr int kTimes = 128, kPoints = 16;
     for (int i = 0; i <= kTimes; ++i) {
-      const Moment moment(path_, static_cast<double>(i) / kTimes);
+      const double s = static_cast<double>(i) / kTimes;
       for (int j = 0; j <= kPoints; ++j) {
-        const Vector3d p = edge.at(edge.length * j / kPoints);
-        if (speedOf(edge.faces[0], p, moment) * speedOf(edge.faces[1], p, moment) < 0) return true;
+        const Vector3d p = edge.at(edge.range.at(static_cast<double>(j) / kPoints));
+        if (speedOf(edge.faces[0], p, s) * speedOf(edge.faces[1], p, s) < 0) return true;
       }
     }
     return false;
   }
 
-  // Appends what an edge sweeps: a face for each span, all on one surface. Its parameters are the
-  // position on the edge, and time.
+  // Appends what an edge sweeps: a face for each span, all on one surface. Its parameters are that
+  // of the edge, and time.
   bool appendSheet(int e) {
     const BodyEdge& edge = body_.edges[e];
     for (Span& span : spans_) span.sheets.push_back(-1);
-    if (edge.faces[1] < 0) return false;
-    if (!body_.isConvex(edge) || !isOutline(edge)) return true;
-    const Knots line(1, {0, edge.length});
-    const auto fitted = fitSheet([&](double u, double t) { return at(edge.at(u), t / length_); },
-                                 {0, edge.length}, {0, length_}, &line, kSurfaceBound);
-    if (!fitted) return false;
+    if (edge.faces[1] < 0) {
+      return false;
+    }
+    if (!isConvex(edge) || !isOutline(edge)) return true;
+    const bool isLine = edge.scale == 1;
+    const Knots line(1, {edge.range.from, edge.range.to});
+    const auto fitted =
+        fitSheet([&](double u, double t) { return at(edge.at(u), t / length_); }, edge.range,
+                 {0, length_}, isLine ? &line : nullptr, kSurfaceBound, kMaxTurningPoles);
+    if (!fitted) {
+      return false;
+    }
     const Handle(Geom_Surface) surface = kernelSheet(*fitted->sheet);
     for (Span& span : spans_) {
       span.sheets.back() = static_cast<int>(to_.faces.size());
@@ -259,165 +308,275 @@ class TurningStep {
       builder.Add(wire, border.Oriented(isForward ? TopAbs_FORWARD : TopAbs_REVERSED));
     };
     const Range t = timeOf(span.s);
-    add(span.start->of(edge), true, {0, t.from}, {1, 0});
-    add(span.paths[edge.to], true, {edge.length, t.from}, {0, 1});
-    add(span.end->of(edge), false, {0, t.to}, {1, 0});
-    add(span.paths[edge.from], false, {0, t.from}, {0, 1});
+    add(span.start->of(edge), true, {edge.range.from, t.from}, {1, 0});
+    add(span.paths[edge.to], true, {edge.range.to, t.from}, {0, 1});
+    add(span.end->of(edge), false, {edge.range.from, t.to}, {1, 0});
+    add(span.paths[edge.from], false, {edge.range.from, t.from}, {0, 1});
     wire.Closed(Standard_True);
     builder.Add(face, wire);
     return face;
   }
 
-  // Appends the surfaces in which a face grazes the envelope. Their parameters are the position on
-  // the contact line, and time.
-  bool appendGraze(int f, const ContactLine& line) {
-    constexpr double kMargin = 0.05;
-    Range ys{HUGE_VAL, -HUGE_VAL}, ws{HUGE_VAL, -HUGE_VAL};
-    for (const int e : body_.faces[f].edges) {
-      for (const double u : {0.0, body_.edges[e].length}) {
-        const Vector3d p = body_.edges[e].at(u);
-        const double y = p.dot(line.across), w = p.dot(line.along);
-        ys = {std::min(ys.from, y), std::max(ys.to, y)};
-        ws = {std::min(ws.from, w), std::max(ws.to, w)};
-      }
-    }
-    ws = ws.grown(kMargin);
-    for (const Range& inside : timesWithin(line.y, ys.from, ys.to, {0, 1})) {
-      const Range s{std::max(0.0, inside.from - 1.0 / kZeroSteps),
-                    std::min(1.0, inside.to + 1.0 / kZeroSteps)};
-      const Knots straight(1, {ws.from, ws.to});
-      const auto fitted =
-          fitSheet([&](double w, double t) { return at(line.at(w, t / length_), t / length_); }, ws,
-                   timeOf(s), &straight, kSurfaceBound);
-      if (!fitted) return false;
-      const int graze = static_cast<int>(to_.faces.size());
-      to_.faces.push_back(
-          {BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), ws.from, ws.to, timeOf(s.from),
-                                   timeOf(s.to), Precision::Confusion()),
-           SweptFace::kAlone});
-      if (!appendContacts(f, line, graze, s)) return false;
-      if (inside.from <= 0) appendContactLines(f, line, 0, graze);
-      if (inside.to >= 1) appendContactLines(f, line, 1, graze);
-      appendRegression(f, line, graze, ws, s);
-    }
-    return true;
-  }
-
-  // Appends the curves in which the swept edges of a face continue into its grazing surface.
-  bool appendContacts(int f, const ContactLine& line, int graze, Range s) {
-    contacts_.clear();
-    for (const int e : body_.faces[f].edges) {
-      const BodyEdge& edge = body_.edges[e];
-      if (line.isParallelTo(edge)) continue;
-      const OfTime u = line.positionOn(edge);
-      const OfTime w = [u, from = edge.start.dot(line.along),
-                        step = edge.along.dot(line.along)](double x) { return from + u(x) * step; };
-      for (const Span& span : spans_) {
-        const Range part{std::max(s.from, span.s.from), std::min(s.to, span.s.to)};
-        if (part.from >= part.to) continue;
-        for (const Range& during : timesWithin(u, 0, edge.length, part)) {
-          const TopoDS_Edge contact =
-              edgeOf([&](double x) { return at(edge.at(u(x)), x); }, during);
-          if (contact.IsNull() || !addOn(graze, contact, w, during)) return false;
-          SweptSection divider{contact, {graze}};
-          if (span.sheets[e] >= 0) {
-            if (!addOn(span.sheets[e], contact, u, during)) return false;
-            divider.faces.push_back(span.sheets[e]);
+  // Finds the paths of points of contact that lie on an edge.
+  void findContacts(int e) {
+    const BodyEdge& edge = body_.edges[e];
+    if (isWithinSurface(edge)) return;
+    for (const int f : edge.faces) {
+      const ContactCurves& curves = curves_[body_.faces[f].surface];
+      if (curves.count() == 0) continue;
+      for (std::size_t i = 0; i < spans_.size(); ++i) {
+        for (const ZeroArc& arc : contactsOf(edge, f, spans_[i].s)) {
+          const Range range = arc.range();
+          Range s{HUGE_VAL, -HUGE_VAL};
+          constexpr int kPoints = 16;
+          for (int j = 0; j <= kPoints; ++j) {
+            const double x =
+                std::clamp(arc.at(range.at(static_cast<double>(j) / kPoints)).y(), 0.0, 1.0);
+            s = {std::min(s.from, x), std::max(s.to, x)};
           }
-          to_.dividers.push_back(divider);
-          contacts_.emplace_back(w, during);
+          const Vector2d middle = arc.at(range.at(0.5));
+          contacts_.push_back({e, f, curves.curveOf(edge.at(middle.x()), middle.y()), i, arc, s});
         }
       }
     }
+  }
+
+  // Appends the surfaces that a contact curve of a surface of the body sweeps, for the times at
+  // which it touches a face.
+  bool appendGrazes(int surface, int curve) {
+    constexpr double kWider = 0.05;
+    constexpr int kPoints = 32;
+    const ContactCurves& curves = curves_[surface];
+    Range w{HUGE_VAL, -HUGE_VAL};
+    for (const BodyFace& face : body_.faces) {
+      if (face.surface != surface) continue;
+      for (const int e : face.edges) {
+        const BodyEdge& edge = body_.edges[e];
+        for (int i = 0; i <= kPoints; ++i) {
+          const double x =
+              curves.positionAt(edge.at(edge.range.at(static_cast<double>(i) / kPoints)));
+          w = {std::min(w.from, x), std::max(w.to, x)};
+        }
+      }
+    }
+    w = w.grown(kWider);
+    std::vector<Range> times;
+    for (const Contact& contact : contacts_) {
+      if (body_.faces[contact.face].surface == surface && contact.curve == curve)
+        times.push_back({std::max(0.0, contact.s.from - 1.0 / kZeroSteps),
+                         std::min(1.0, contact.s.to + 1.0 / kZeroSteps)});
+    }
+    std::sort(times.begin(), times.end(),
+              [](const Range& a, const Range& b) { return a.from < b.from; });
+    std::vector<Range> joined;
+    for (const Range& s : times) {
+      if (joined.empty() || s.from > joined.back().to) {
+        joined.push_back(s);
+      } else {
+        joined.back().to = std::max(joined.back().to, s.to);
+      }
+    }
+    for (const Range& s : joined) {
+      const Knots straight(1, {w.from, w.to});
+      const auto fitted = fitSheet(
+          [&](double x, double t) { return at(curves.at(curve, x, t / length_), t / length_); }, w,
+          timeOf(s), curves.areStraight() ? &straight : nullptr, kSurfaceBound, kMaxTurningPoles);
+      if (!fitted) {
+        return false;
+      }
+      grazes_.push_back({surface, curve, w, s, static_cast<int>(to_.faces.size())});
+      to_.faces.push_back(
+          {BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), w.from, w.to, timeOf(s.from),
+                                   timeOf(s.to), Precision::Confusion()),
+           SweptFace::kAlone});
+    }
     return true;
   }
 
-  // Appends the parts of the contact line at the start (0) or the end (1) of the step that lie
-  // inside of the face.
-  void appendContactLines(int f, const ContactLine& line, int end, int graze) {
-    const double y = line.y(end);
-    std::vector<double> crossings;
-    for (const int e : body_.faces[f].edges) {
-      const BodyEdge& edge = body_.edges[e];
-      const double from = edge.start.dot(line.across), step = edge.along.dot(line.across);
-      if ((from < y) == (from + step * edge.length < y)) continue;
-      crossings.push_back(edge.at((y - from) / step).dot(line.along));
+  const Graze* grazeOf(const Contact& contact, int f) const {
+    for (const Graze& graze : grazes_) {
+      if (graze.surface == body_.faces[f].surface && graze.curve == contact.curve &&
+          graze.s.from <= contact.s.from && graze.s.to >= contact.s.to)
+        return &graze;
     }
-    std::sort(crossings.begin(), crossings.end());
-    const BRep_Builder builder;
-    const Placement placement = path_.at(end);
-    const gp_Dir direction = dirOf(placement.rotation * line.along);
-    const int cap = (pose_ + end) * static_cast<int>(body_.faces.size()) + f;
-    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-      const double length = crossings[i + 1] - crossings[i];
-      if (length < Precision::Confusion()) continue;
-      const Vector3d from = placement.apply(line.at(crossings[i], end));
-      TopoDS_Edge edge;
-      builder.MakeEdge(edge, new Geom_Line(pointOf(from), direction), Precision::Confusion());
-      builder.Range(edge, 0, length);
-      builder.UpdateEdge(edge, new Geom2d_Line(gp_Pnt2d(crossings[i], timeOf(end)), gp_Dir2d(1, 0)),
-                         to_.faces[graze].face, Precision::Confusion());
-      to_.dividers.push_back({edge, {graze, cap}});
+    return nullptr;
+  }
+
+  // Appends the curve in which what an edge sweeps continues into a grazing surface.
+  bool appendContact(const Contact& contact) {
+    const BodyEdge& edge = body_.edges[contact.edge];
+    const Graze* graze = grazeOf(contact, contact.face);
+    if (graze == nullptr) {
+      return false;
+    }
+    const ContactCurves& curves = curves_[graze->surface];
+    const ZeroArc& arc = contact.arc;
+    const TopoDS_Edge shape = edgeOf(
+        [&](double t) {
+          const Vector2d on = arc.at(t);
+          return at(edge.at(on.x()), on.y());
+        },
+        arc.range());
+    const auto onGraze = [&](double t) {
+      const Vector2d on = arc.at(t);
+      return Vector2d(curves.positionAt(edge.at(on.x())), timeOf(on.y()));
+    };
+    const auto onSheet = [&](double t) {
+      const Vector2d on = arc.at(t);
+      return Vector2d(on.x(), timeOf(on.y()));
+    };
+    if (shape.IsNull() || !addOn(graze->face, shape, onGraze, {1, 1}, arc.range())) {
+      return false;
+    }
+    SweptSection divider{shape, {graze->face}};
+    const int sheet = spans_[contact.span].sheets[contact.edge];
+    if (sheet >= 0) {
+      if (!addOn(sheet, shape, onSheet, {edge.scale, 1}, arc.range())) {
+        return false;
+      }
+      divider.faces.push_back(sheet);
+    }
+    to_.dividers.push_back(divider);
+    return true;
+  }
+
+  // Appends the parts of a contact curve at the start (0) or the end (1) of the step that lie
+  // inside of faces.
+  void appendContactCurves(const Graze& graze, int time) {
+    for (std::size_t f = 0; f < body_.faces.size(); ++f) {
+      if (body_.faces[f].surface == graze.surface)
+        appendContactCurves(graze, time, static_cast<int>(f));
     }
   }
 
-  // Appends the edge of regression of a grazing surface: there the contact line has the velocity of
-  // the body.
-  void appendRegression(int f, const ContactLine& line, int graze, Range ws, Range s) {
-    const Vector3d &normal = body_.faces[f].normal, angular = Moment(path_, 0).angular;
-    const double turn = line.across.dot(angular.cross(line.along));
-    if (std::abs(turn) <= kNoSpeed * angular.norm()) return;
-    const OfTime w = [&](double x) {
-      const Moment moment(path_, x);
-      // In coordinates of the body, the linear velocity turns backward, unless the motion is a
-      // screw.
-      const double slope = path_.isScrew() ? 0
-                                           : normal.dot(moment.angular.cross(moment.linear)) /
-                                                 normal.cross(angular).norm();
-      return -(slope + line.across.dot(moment.velocityAt(line.at(0, x)))) / turn;
+  void appendContactCurves(const Graze& graze, int time, int f) {
+    const ContactCurves& curves = curves_[graze.surface];
+    std::vector<double> crossings;
+    for (const int e : body_.faces[f].edges) {
+      const BodyEdge& edge = body_.edges[e];
+      const OfTwo speed = speedOn(edge, f);
+      for (const double u : zerosOf([&](double x) { return speed({x, time}); }, edge.range)) {
+        const Vector3d p = edge.at(u);
+        if (curves.curveOf(p, time) == graze.curve) crossings.push_back(curves.positionAt(p));
+      }
+    }
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+      const Range w{crossings[i], crossings[i + 1]};
+      if (w.length() < Precision::Confusion()) continue;
+      const Vector3d middle = curves.at(graze.curve, w.at(0.5), time);
+      const BRepClass_FaceClassifier place(body_.faces[f].shape, pointOf(middle),
+                                           Precision::Confusion());
+      if (place.State() == TopAbs_IN) appendContactCurve(graze, time, f, w);
+    }
+  }
+
+  void appendContactCurve(const Graze& graze, int time, int f, Range w) {
+    const ContactCurves& curves = curves_[graze.surface];
+    const BodySurface& surface = body_.surfaces[graze.surface];
+    const auto exact = [&](double x) { return at(curves.at(graze.curve, x, time), time); };
+    const int cap = (pose_ + time) * static_cast<int>(body_.faces.size()) + f;
+    TopoDS_Edge edge;
+    if (curves.areStraight()) {
+      const BRep_Builder builder;
+      const gp_Dir direction = dirOf(path_.at(time).rotation * curves.along());
+      builder.MakeEdge(edge, new Geom_Line(pointOf(exact(w.from)), direction),
+                       Precision::Confusion());
+      builder.Range(edge, 0, w.length());
+      builder.UpdateEdge(edge, new Geom2d_Line(gp_Pnt2d(w.from, timeOf(time)), gp_Dir2d(1, 0)),
+                         to_.faces[graze.face].face, Precision::Confusion());
+    } else {
+      double u0, u1, v0, v1;
+      BRepTools::UVBounds(body_.faces[f].shape, u0, u1, v0, v1);
+      const auto onCap = [&](double x) {
+        return surface.parametersOf(curves.at(graze.curve, x, time), (u0 + u1) / 2);
+      };
+      edge = edgeOf(exact, w);
+      if (edge.IsNull() ||
+          !addOn(
+              graze.face, edge, [&](double x) { return Vector2d(x, timeOf(time)); }, {1, 1}, w) ||
+          !addOn(cap, edge, onCap, {surface.radius, 1}, w))
+        return;
+    }
+    to_.dividers.push_back({edge, {graze.face, cap}});
+  }
+
+  // Appends the edges of regression of a grazing surface: there it is tangent to itself, as the
+  // contact curve has the velocity of the body.
+  void appendRegression(const Graze& graze) {
+    const ContactCurves& curves = curves_[graze.surface];
+    const auto exact = [&](const Vector2d& on) {
+      return at(curves.at(graze.curve, on.x(), on.y()), on.y());
     };
-    const auto exact = [&](double x) { return at(line.at(w(x), x), x); };
-    for (const Range& during : timesWithin(w, ws.from, ws.to, s)) {
-      const TopoDS_Edge edge = edgeOf(exact, during);
-      if (edge.IsNull() || !addOn(graze, edge, w, during)) continue;
-      to_.dividers.push_back({edge, {graze}});
-      for (const auto& [contact, range] : contacts_) {
-        const Range both{std::max(during.from, range.from), std::min(during.to, range.to)};
-        if (both.from >= both.to) continue;
-        for (const double x :
-             zerosOf([&, other = contact](double z) { return w(z) - other(z); }, both))
-          to_.crossings.push_back(pointOf(exact(x)));
+    // Returns the signed area of the surface per unit of its parameters.
+    const double stepW = 1e-3 * graze.w.length(), stepS = 1e-3;
+    const auto slope = [&](const Vector2d& on, const Vector2d& step) -> Vector3d {
+      return (8 * (exact(on + step) - exact(on - step)) -
+              (exact(on + 2 * step) - exact(on - 2 * step))) /
+             12;
+    };
+    const OfTwo area = [&](const Vector2d& on) {
+      const Vector3d normal =
+          path_.at(on.y()).rotation *
+          body_.surfaces[graze.surface].normalAt(curves.at(graze.curve, on.x(), on.y()));
+      return slope(on, {stepW, 0}).cross(slope(on, {0, stepS})).dot(normal) /
+             (stepW * stepS * length_);
+    };
+    for (const ZeroArc& arc : zeroArcs(area, graze.w, graze.s, {1, length_})) {
+      const TopoDS_Edge edge = edgeOf([&](double t) { return exact(arc.at(t)); }, arc.range());
+      const auto on = [&](double t) {
+        const Vector2d p = arc.at(t);
+        return Vector2d(p.x(), timeOf(p.y()));
+      };
+      if (edge.IsNull() || !addOn(graze.face, edge, on, {1, 1}, arc.range())) continue;
+      to_.folds.push_back({edge, {graze.face}});
+      appendCrossings(graze, area);
+    }
+  }
+
+  // Appends the points at which paths of contact cross edges of regression.
+  void appendCrossings(const Graze& graze, const OfTwo& area) {
+    for (const Contact& contact : contacts_) {
+      if (grazeOf(contact, contact.face) != &graze) continue;
+      const BodyEdge& edge = body_.edges[contact.edge];
+      const auto onGraze = [&](double t) {
+        const Vector2d on = contact.arc.at(t);
+        return Vector2d(curves_[graze.surface].positionAt(edge.at(on.x())), on.y());
+      };
+      for (const double t :
+           zerosOf([&](double x) { return area(onGraze(x)); }, contact.arc.range())) {
+        const Vector2d on = contact.arc.at(t);
+        to_.crossings.push_back(pointOf(at(edge.at(on.x()), on.y())));
       }
     }
   }
 
-  const TopoDS_Shape& shape_;
-  const Polyhedron& body_;
+  const ElementaryBody& body_;
   const StepPath& path_;
   const int pose_;  // index of the first pose
   TurningFaces& to_;
-  double length_ = 0, shortest_ = HUGE_VAL;        // mm: paths of vertices
-  std::vector<std::optional<ContactLine>> lines_;  // by face
+  double length_ = 0, shortest_ = HUGE_VAL;  // mm: paths of vertices
+  std::vector<ContactCurves> curves_;        // by surface of the body
   std::vector<PosedBody> between_;
   std::vector<Span> spans_;
-  // On the grazing surface at hand: positions on the contact line.
-  std::vector<std::pair<OfTime, Range>> contacts_;
+  std::vector<Contact> contacts_;
+  std::vector<Graze> grazes_;
 };
 
 }  // namespace
 
-std::optional<TurningFaces> turningFaces(const TopoDS_Shape& body, const Trajectory& trajectory) {
-  const Polyhedron polyhedron(body);
+std::optional<TurningFaces> turningFaces(const TopoDS_Shape& shape, const Trajectory& trajectory) {
+  const ElementaryBody body(shape);
   TurningFaces result;
   std::vector<PosedBody> posed;
   for (std::size_t k = 0; k < trajectory.poses.size(); ++k) {
-    posed.emplace_back(body, trajectory.poses[k]);
-    for (const BodyFace& face : polyhedron.faces)
+    posed.emplace_back(body.shape, trajectory.poses[k]);
+    for (const BodyFace& face : body.faces)
       result.faces.push_back({posed.back().of(face), static_cast<int>(k)});
   }
   for (std::size_t k = 0; k + 1 < trajectory.poses.size(); ++k) {
     const StepPath path(trajectory.poses[k], trajectory.poses[k + 1], trajectory.interpolation);
-    TurningStep step(body, polyhedron, path, static_cast<int>(k), result);
+    TurningStep step(body, path, static_cast<int>(k), result);
     if (!step.append(posed[k], posed[k + 1])) return std::nullopt;
   }
   return result;

@@ -82,7 +82,7 @@ double errorOf(const Sheet& sheet, const ExactSurface& exact) {
 }  // namespace
 
 std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t, const Knots* given,
-                                    double bound) {
+                                    double bound, std::size_t maxPoles) {
   std::size_t lines = kLines;
   double each = bound / 3;  // the errors of the two directions add up
   for (int attempt = 0; attempt < kTries; ++attempt, lines = 2 * lines - 1, each /= 3) {
@@ -93,7 +93,7 @@ std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t,
     if (!knotsT) return std::nullopt;
     const auto knotsU = given != nullptr ? std::optional<Knots>(*given)
                                          : knotsAlong(exact, u, evenly(t, lines), true, each);
-    if (!knotsU || knotsU->poleCount() * knotsT->poleCount() > kMaxPoles) return std::nullopt;
+    if (!knotsU || knotsU->poleCount() * knotsT->poleCount() > maxPoles) return std::nullopt;
     const auto sheet = std::make_shared<const Sheet>(interpolate(exact, *knotsU, *knotsT));
     const double error = errorOf(*sheet, exact);
     if (error <= bound) return FittedSheet{sheet, error};

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/contact_curves.h"
+
+namespace swept::step {
+
+using Eigen::Vector3d;
+
+ContactCurves::ContactCurves(const BodySurface& surface, const StepPath& path)
+    : surface_(surface), path_(path), along_(surface.axis) {
+  origin_ = surface.origin - surface.origin.dot(surface.axis) * surface.axis;
+  if (!surface.isPlane) return;
+  // The angular velocity is constant in coordinates of the body.
+  across_ = surface.axis.cross(Moment(path, 0).angular);
+  size_ = across_.norm();
+  if (size_ <= kNoSpeed) return;
+  across_ /= size_;
+  along_ = across_.cross(surface.axis);
+  origin_ = surface.axis * surface.axis.dot(surface.origin);
+}
+
+Vector3d ContactCurves::at(int curve, double w, double s) const {
+  const Moment moment(path_, s);
+  const Vector3d centre = origin_ + w * along_;
+  if (surface_.isPlane) return centre - surface_.axis.dot(moment.linear) / size_ * across_;
+  const Vector3d normal = along_.cross(moment.velocityAt(centre)).normalized();
+  return centre + (curve == 0 ? 1 : -1) * surface_.radius * normal;
+}
+
+int ContactCurves::curveOf(const Vector3d& p, double s) const {
+  if (surface_.isPlane) return 0;
+  const double w = positionAt(p);
+  return (at(0, w, s) - p).squaredNorm() < (at(1, w, s) - p).squaredNorm() ? 0 : 1;
+}
+
+}  // namespace swept::step

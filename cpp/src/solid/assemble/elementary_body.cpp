@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/elementary_body.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRep_Tool.hxx>
+#include <ShapeUpgrade_ShapeDivideClosed.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <algorithm>
+#include <cmath>
+#include <gp_Cylinder.hxx>
+#include <gp_Pln.hxx>
+
+#include "solid/assemble/kernel_geometry.h"
+
+namespace swept::step {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+TopoDS_Shape withoutClosedFaces(const TopoDS_Shape& body) {
+  ShapeUpgrade_ShapeDivideClosed divider(body);
+  divider.SetNbSplitPoints(1);
+  return divider.Perform() ? divider.Result() : body;
+}
+
+BodySurface surfaceOfFace(const TopoDS_Face& face) {
+  const BRepAdaptor_Surface adaptor(face, Standard_False);
+  BodySurface surface;
+  surface.isPlane = adaptor.GetType() == GeomAbs_Plane;
+  const gp_Ax3 axes = surface.isPlane ? adaptor.Plane().Position() : adaptor.Cylinder().Position();
+  surface.origin = vectorOf(axes.Location().XYZ());
+  surface.x = vectorOf(axes.XDirection().XYZ());
+  surface.y = vectorOf(axes.YDirection().XYZ());
+  surface.axis = vectorOf(axes.Direction().XYZ());
+  if (!surface.isPlane) surface.radius = adaptor.Cylinder().Radius();
+  const bool isReversed = (face.Orientation() == TopAbs_REVERSED) == bool(axes.Direct());
+  surface.outward = isReversed ? -1 : 1;
+  return surface;
+}
+
+}  // namespace
+
+Vector3d BodyEdge::at(double u) const { return vectorOf(curve->Value(u).XYZ()); }
+
+Vector3d BodyEdge::tangent(double u) const { return vectorOf(curve->DN(u, 1).XYZ()).normalized(); }
+
+Vector3d BodySurface::normalAt(const Vector3d& p) const {
+  if (isPlane) return outward * axis;
+  const Vector3d off = p - origin;
+  return outward * (off - off.dot(axis) * axis).normalized();
+}
+
+Vector2d BodySurface::parametersOf(const Vector3d& p, double angle) const {
+  const Vector3d off = p - origin;
+  if (isPlane) return {off.dot(x), off.dot(y)};
+  const double found = std::atan2(off.dot(y), off.dot(x));
+  return {found + 2 * M_PI * std::round((angle - found) / (2 * M_PI)), off.dot(axis)};
+}
+
+bool BodySurface::isSame(const BodySurface& other) const {
+  constexpr double kSame = 1e-9;
+  if (isPlane != other.isPlane || std::abs(radius - other.radius) > kSame) return false;
+  const Vector3d off = other.origin - origin;
+  if (isPlane) {
+    return (outward * axis - other.outward * other.axis).norm() < kSame &&
+           std::abs(off.dot(axis)) < kSame;
+  }
+  return outward == other.outward && axis.cross(other.axis).norm() < kSame &&
+         off.cross(axis).norm() < kSame;
+}
+
+bool isElementary(const TopoDS_Shape& body) {
+  for (TopExp_Explorer face(body, TopAbs_FACE); face.More(); face.Next()) {
+    const auto type = BRepAdaptor_Surface(TopoDS::Face(face.Current()), Standard_False).GetType();
+    if (type != GeomAbs_Plane && type != GeomAbs_Cylinder) return false;
+  }
+  for (TopExp_Explorer edge(body, TopAbs_EDGE); edge.More(); edge.Next()) {
+    const auto type = BRepAdaptor_Curve(TopoDS::Edge(edge.Current())).GetType();
+    if (type != GeomAbs_Line && type != GeomAbs_Circle) return false;
+  }
+  return true;
+}
+
+ElementaryBody::ElementaryBody(const TopoDS_Shape& body) : shape(withoutClosedFaces(body)) {
+  TopTools_IndexedMapOfShape faceMap;
+  TopTools_IndexedDataMapOfShapeListOfShape edgeMap;
+  TopExp::MapShapes(shape, TopAbs_FACE, faceMap);
+  TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
+  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, edgeMap);
+  for (int f = 1; f <= faceMap.Extent(); ++f) {
+    BodyFace& face = faces.emplace_back();
+    face.shape = TopoDS::Face(faceMap(f));
+    const BodySurface surface = surfaceOfFace(face.shape);
+    const auto same = std::find_if(surfaces.begin(), surfaces.end(),
+                                   [&](const BodySurface& other) { return surface.isSame(other); });
+    face.surface = static_cast<int>(same - surfaces.begin());
+    if (same == surfaces.end()) surfaces.push_back(surface);
+  }
+  for (int e = 1; e <= edgeMap.Extent(); ++e) {
+    BodyEdge& edge = edges.emplace_back();
+    edge.shape = TopoDS::Edge(edgeMap.FindKey(e).Oriented(TopAbs_FORWARD));
+    edge.from = vertices.FindIndex(TopExp::FirstVertex(edge.shape)) - 1;
+    edge.to = vertices.FindIndex(TopExp::LastVertex(edge.shape)) - 1;
+    edge.curve = BRep_Tool::Curve(edge.shape, edge.range.from, edge.range.to);
+    edge.scale = edge.curve->DN(edge.range.from, 1).Magnitude();
+    std::size_t side = 0;
+    for (const TopoDS_Shape& owner : edgeMap(e)) {
+      const int f = faceMap.FindIndex(owner) - 1;
+      if (side < edge.faces.size()) edge.faces[side++] = f;
+      faces[f].edges.push_back(e - 1);
+    }
+  }
+}
+
+Vector3d ElementaryBody::point(int vertex) const {
+  return vectorOf(BRep_Tool::Pnt(TopoDS::Vertex(vertices(vertex + 1))).XYZ());
+}
+
+double ElementaryBody::convexity(const BodyEdge& edge) const {
+  const double middle = edge.range.at(0.5);
+  const Vector3d p = edge.at(middle);
+  for (TopExp_Explorer it(faces[edge.faces[1]].shape, TopAbs_EDGE); it.More(); it.Next()) {
+    if (!it.Current().IsSame(edge.shape)) continue;
+    const double sign = it.Current().Orientation() == TopAbs_REVERSED ? -1 : 1;
+    const Vector3d intoFace =
+        surfaceOf(edge.faces[1]).normalAt(p).cross(sign * edge.tangent(middle));
+    return -intoFace.dot(surfaceOf(edge.faces[0]).normalAt(p));
+  }
+  return 0;
+}
+
+PosedBody::PosedBody(const TopoDS_Shape& body, const Pose& pose)
+    : maker_(std::make_unique<BRepBuilderAPI_Transform>(body, transformOf(pose), Standard_True)) {}
+
+}  // namespace swept::step

@@ -1,0 +1,94 @@
+// A body with planes, cylinders, straight and circular edges, and the body at a pose.
+// Units:   mm, rad, in coordinates of the body whose origin is the pivot.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <BRepBuilderAPI_Transform.hxx>
+#include <Eigen/Core>
+#include <Geom_Curve.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "solid/carrier/bspline.h"
+#include "swept/types.h"
+
+namespace swept::step {
+
+struct BodyEdge {
+  TopoDS_Edge shape;
+  int from = 0, to = 0;  ///< vertices
+  Handle(Geom_Curve) curve;
+  Range range;       ///< of the parameter: mm on a line, rad on a circle
+  double scale = 1;  ///< mm per unit of the parameter
+  std::array<int, 2> faces{-1, -1};
+  Eigen::Vector3d at(double u) const;
+  Eigen::Vector3d tangent(double u) const;  ///< unit vector
+};
+
+/// A plane or a cylinder.
+struct BodySurface {
+  bool isPlane = true;
+  Eigen::Vector3d origin;      ///< a point of the plane, or of the axis
+  Eigen::Vector3d x, y, axis;  ///< orthogonal unit vectors; `axis`: normal of the plane
+  double radius = 0;
+  double outward = 1;  ///< -1 if `axis`, or the direction away from it, points into the body
+
+  /// Returns the unit vector that points away from the body.
+  Eigen::Vector3d normalAt(const Eigen::Vector3d& p) const;
+  /// Returns the kernel's parameters of a point of the surface. On a cylinder, the angle is within
+  /// pi of the given one.
+  Eigen::Vector2d parametersOf(const Eigen::Vector3d& p, double angle) const;
+  bool isSame(const BodySurface& other) const;
+};
+
+struct BodyFace {
+  TopoDS_Face shape;
+  int surface = 0;
+  std::vector<int> edges;
+};
+
+/// Returns whether all faces are planes or cylinders and all edges straight or circular.
+bool isElementary(const TopoDS_Shape& body);
+
+/// The parts of a body for which isElementary() is true. Closed faces are cut in two. Faces may
+/// share a surface.
+struct ElementaryBody {
+  explicit ElementaryBody(const TopoDS_Shape& body);
+
+  Eigen::Vector3d point(int vertex) const;
+  const BodySurface& surfaceOf(int face) const { return surfaces[faces[face].surface]; }
+  /// Returns the sine of the angle by which the body is convex at the edge; negative if it is
+  /// concave. Where it is not positive, an edge sweeps no surface of the envelope.
+  double convexity(const BodyEdge& edge) const;
+
+  TopoDS_Shape shape;
+  TopTools_IndexedMapOfShape vertices;
+  std::vector<BodyEdge> edges;
+  std::vector<BodyFace> faces;
+  std::vector<BodySurface> surfaces;
+};
+
+/// A copy of the body at one pose.
+class PosedBody {
+ public:
+  PosedBody(const TopoDS_Shape& body, const Pose& pose);
+  TopoDS_Face of(const BodyFace& face) const {
+    return TopoDS::Face(maker_->ModifiedShape(face.shape));
+  }
+  /// Forward.
+  TopoDS_Edge of(const BodyEdge& edge) const {
+    return TopoDS::Edge(maker_->ModifiedShape(edge.shape).Oriented(TopAbs_FORWARD));
+  }
+  TopoDS_Shape of(const TopoDS_Shape& vertex) const { return maker_->ModifiedShape(vertex); }
+
+ private:
+  std::unique_ptr<BRepBuilderAPI_Transform> maker_;
+};
+
+}  // namespace swept::step
