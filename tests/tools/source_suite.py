@@ -73,8 +73,8 @@ def on_faces(shape, points, rows, limit):
     return np.array(found)
 
 
-def kernel_shape(path):
-    """Returns the shape of the STEP file, read by FreeCAD; None if FreeCAD is not installed."""
+def kernel_module():
+    """Returns FreeCAD's module Part; None if FreeCAD is not installed."""
     for folder in ("/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib"):
         if pathlib.Path(folder).is_dir() and folder not in sys.path:
             sys.path.append(folder)
@@ -83,7 +83,15 @@ def kernel_shape(path):
         import Part
     except ImportError:
         return None
-    shape = Part.Shape()
+    return Part
+
+
+def kernel_shape(path):
+    """Returns the shape of the STEP file, read by FreeCAD; None if FreeCAD is not installed."""
+    part = kernel_module()
+    if part is None:
+        return None
+    shape = part.Shape()
     shape.read(str(path))
     return shape
 

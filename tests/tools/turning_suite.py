@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes solids of bodies with plane faces that move along random motions and turn at the same time.
+"""Makes solids of bodies with planes and cylinders that move along random motions and turn at the same time.
 
 Half of the motions have two keys, the others three. Each key is 20 to 70 mm from the one before it,
 and turned by 10 to 60 degrees. Prints a row for each solid that contains facets or is not valid, then
@@ -8,7 +8,8 @@ for each body: the number of motions, of solids without facets, their faces, and
 tolerance and deviation.
 
 Usage: turning_suite.py BUILD [COUNT] [BODY...]
-COUNT: motions for each body (default 25). BODY: box, ell, star or prism (default: all).
+COUNT: motions for each body (default 25). BODY: box, ell, star, prism or cylinder (default: all).
+The cylinder needs FreeCAD.
 Ends with 1 if a solid is missing or not valid.
 """
 import json
@@ -20,6 +21,7 @@ import tempfile
 
 import numpy as np
 from shared_data import product, turn
+from source_suite import kernel_module
 from thin_parts import loft
 from unseen_suite import write_ply
 
@@ -33,8 +35,9 @@ def polygon(corners, radii):
     ]
 
 
-# Each body is a prism: its base (mm), counter-clockwise, and its height (mm).
-BODIES = {
+CYLINDER = (12, 30)  # radius and height, mm
+# The other bodies are prisms: base (mm), counter-clockwise, and height (mm).
+PRISMS = {
     "box": ([(0, 0), (40, 0), (40, 25), (0, 25)], 15),
     "ell": ([(0, 0), (40, 0), (40, 12), (12, 12), (12, 30), (0, 30)], 15),
     "star": (polygon(10, (20, 9)), 10),
@@ -59,6 +62,24 @@ def run(words):
     return subprocess.run([str(word) for word in words], capture_output=True, text=True)
 
 
+def make_body(program, body, folder):
+    """Returns the STEP file of a body; None if FreeCAD is needed and not installed."""
+    part = folder / f"{body}.step"
+    if body == "cylinder":
+        kernel = kernel_module()
+        if kernel is None:
+            return None
+        kernel.makeCylinder(*CYLINDER).exportStep(str(part))
+        return part
+    mesh = folder / f"{body}.ply"
+    base, height = PRISMS[body]
+    write_ply(mesh, *loft(base, [0, height]))
+    made = run([program, "solid", mesh, "--output", part, "--exact"])
+    if made.returncode != 0:
+        sys.exit(made.stderr)
+    return part
+
+
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
@@ -68,13 +89,11 @@ def main():
     table = []
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        for body in sys.argv[3:] or BODIES:
-            mesh, part = folder / f"{body}.ply", folder / f"{body}.step"
-            base, height = BODIES[body]
-            write_ply(mesh, *loft(base, [0, height]))
-            made = run([program, "solid", mesh, "--output", part, "--exact"])
-            if made.returncode != 0:
-                sys.exit(made.stderr)
+        for body in sys.argv[3:] or [*PRISMS, "cylinder"]:
+            part = make_body(program, body, folder)
+            if part is None:
+                print("SKIPPED:", body, "(FreeCAD not found)")
+                continue
             exact = []
             for case, rows in enumerate(random_motions(count)):
                 motion, report = folder / "motion.csv", folder / "report.json"

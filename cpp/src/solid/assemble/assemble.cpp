@@ -232,7 +232,7 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
       const Pieces pieces(divided, sides);
       const TopoDS_Shape solid =
           pieces.openEdges().empty() ? solidOf(pieces.chosen()) : TopoDS_Shape();
-      if (!solid.IsNull()) return {solid, pieces.areCertain()};
+      if (!solid.IsNull()) return {solid, pieces.areCertain(), pieces.filled()};
     }
   }
   if (!faces.canFuse) return {};
@@ -248,7 +248,7 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
     for (const bool cells : {true, false}) {
       if (!cells && !open.empty()) continue;
       const TopoDS_Shape solid = solidOf(cells ? pieces.aroundCells() : pieces.chosen());
-      if (!solid.IsNull()) return {solid, false};
+      if (!solid.IsNull()) return {solid, false, pieces.filled()};
     }
     if (open.empty() || open.size() == before) return {};
     before = open.size();

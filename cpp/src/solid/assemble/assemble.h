@@ -32,6 +32,7 @@ namespace swept::step {
 struct AssembledSweep {
   TopoDS_Shape shape;      ///< null if there is no solid with the volume of the envelope
   bool isCertain = false;  ///< whether the sides of all its faces are certain
+  double filled = 0;       ///< mm: the largest width of a groove that the solid does not have
 };
 
 /// `faces`: all of which the envelope may consist. `sides`: of the same sweep. `volume` (mm^3) of

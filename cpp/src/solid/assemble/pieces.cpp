@@ -8,6 +8,7 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom_Curve.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_MapOfShape.hxx>
@@ -32,6 +33,7 @@ Pieces::Pieces(const TopoDS_Shape& fused, const Sides& sides) : fused_(fused), s
   votes_.resize(faces_.Extent() + 1);
   area_.resize(votes_.size());
   narrow_.resize(votes_.size());
+  width_.resize(votes_.size());
   parallelBlocks(faces_.Extent(), 1, [&](std::size_t begin, std::size_t end) {
     for (int f = static_cast<int>(begin) + 1; f <= static_cast<int>(end); ++f) {
       // Few points of a fine grid lie in a piece that fills little of its range of parameters.
@@ -173,20 +175,38 @@ Chain Pieces::borderOf(int f) const {
 void Pieces::choose() {
   chosen_.assign(faces_.Extent() + 1, 0);
   turned_.assign(faces_.Extent() + 1, 0);
+  constexpr double kThin = 30;                // times the detail
   std::vector<std::pair<double, int>> costs;  // of inverting a choice
+  std::vector<std::pair<double, int>> thin;
   for (int f = 1; f <= faces_.Extent(); ++f) {
     const Votes& votes = votes_[f];
     const int yes = std::max(votes.behind, votes.before), no = votes.both + votes.none;
-    chosen_[f] = yes > no;
+    chosen_[f] = hasSide(f);
     turned_[f] = votes.before > votes.behind;
-    if (!isDoubtful(f)) continue;
-    costs.emplace_back(area_[f] * (1 + std::abs(yes - no)), f);
+    if (isDoubtful(f)) {
+      costs.emplace_back(area_[f] * (1 + std::abs(yes - no)), f);
+    } else if (width_[f] < kThin * sides_.detail()) {
+      thin.emplace_back(width_[f], f);
+    }
   }
-  std::sort(costs.begin(), costs.end());
-  std::vector<int> doubtful;
-  for (const auto& [cost, f] : costs) doubtful.push_back(f);
+  const auto inOrder = [](std::vector<std::pair<double, int>>& pieces) {
+    std::sort(pieces.begin(), pieces.end());
+    std::vector<int> result;
+    for (const auto& [cost, f] : pieces) result.push_back(f);
+    return result;
+  };
+  const std::vector<char> byVotes = chosen_;
+  std::vector<int> doubtful = inOrder(costs);
   closeWith(doubtful);
   dropBubbles(doubtful);
+  if (!openEdges().empty()) {
+    // A groove may be so thin that its other walls were not found. Without it, the surface closes.
+    for (const int f : inOrder(thin)) doubtful.push_back(f);
+    closeWith(doubtful);
+  }
+  for (const int f : doubtful) {
+    if (chosen_[f] != byVotes[f] && !narrow_[f]) filled_ = std::max(filled_, width_[f]);
+  }
   orient();
 }
 
@@ -219,7 +239,7 @@ void Pieces::dropBubbles(const std::vector<int>& doubtful) {
 void Pieces::orient() {
   std::vector<char> isKnown(chosen_.size());
   for (int f = 1; f <= faces_.Extent(); ++f)
-    isKnown[f] = chosen_[f] && (isUnanimous(f) || !narrow_[f]);
+    isKnown[f] = chosen_[f] && hasSide(f) && (isUnanimous(f) || !narrow_[f]);
   const auto orientFrom = [&](int f, int e) {
     if (uses(e) != 2) return;
     for (const TopoDS_Shape& owner : edges_(e)) {
@@ -250,6 +270,11 @@ TopAbs_Orientation Pieces::orientationIn(int f, int e) const {
   return TopAbs_EXTERNAL;
 }
 
+bool Pieces::hasSide(int f) const {
+  const Votes& votes = votes_[f];
+  return std::max(votes.behind, votes.before) > votes.both + votes.none;
+}
+
 bool Pieces::isUnanimous(int f) const {
   const Votes& votes = votes_[f];
   const int most = std::max({votes.behind, votes.before, votes.both + votes.none});
@@ -262,10 +287,12 @@ void Pieces::measure(int f) {
   BRepGProp::SurfaceProperties(faces_(f), area);
   BRepGProp::LinearProperties(faces_(f), length);
   area_[f] = std::abs(area.Mass());
-  narrow_[f] = 2 * area_[f] < kNarrow * sides_.distance() * length.Mass();
+  width_[f] = 2 * area_[f] / length.Mass();
+  narrow_[f] = width_[f] < kNarrow * sides_.distance();
 }
 
 bool Pieces::areCertain() const {
+  if (filled_ > 0) return false;
   for (int f = 1; f <= faces_.Extent(); ++f) {
     if (chosen_[f] && !isUnanimous(f) && !narrow_[f]) return false;
   }

@@ -35,6 +35,10 @@ class Pieces {
   /// Returns whether all samples of each chosen piece agree, unless the piece is narrow.
   bool areCertain() const;
 
+  /// mm: the largest width of a piece that was chosen, or not chosen, against the samples, as the
+  /// surface closes only so. 0 if there is none.
+  double filled() const { return filled_; }
+
   /// Returns the pieces, those at the edges one by one, the others together.
   TopTools_ListOfShape looseNear(const std::vector<TopoDS_Edge>& edges) const;
 
@@ -71,6 +75,8 @@ class Pieces {
   TopAbs_Orientation orientationIn(int f, int e) const;
 
   void measure(int f);
+  // Returns whether most samples see the swept volume on one side only.
+  bool hasSide(int f) const;
   bool isUnanimous(int f) const;
   // Returns whether the samples may be wrong.
   bool isDoubtful(int f) const { return !isUnanimous(f) || narrow_[f]; }
@@ -81,9 +87,11 @@ class Pieces {
   TopTools_IndexedDataMapOfShapeListOfShape edges_;
   // By piece, from 1:
   std::vector<Votes> votes_;
-  std::vector<double> area_;  // mm^2
-  std::vector<char> narrow_;  // whether it is narrow, compared with the distance of the samples
+  std::vector<double> area_;   // mm^2
+  std::vector<double> width_;  // mm, if it is much longer than wide
+  std::vector<char> narrow_;   // whether it is narrow, compared with the distance of the samples
   std::vector<char> chosen_, turned_;
+  double filled_ = 0;
 };
 
 }  // namespace swept::step

@@ -67,6 +67,24 @@ struct Graze {
   int face;
 };
 
+// Returns the positions on contact curves between which the faces of a surface lie.
+Range extentOf(const ElementaryBody& body, int surface, const ContactCurves& curves) {
+  constexpr int kPoints = 32;
+  Range w{HUGE_VAL, -HUGE_VAL};
+  for (const BodyFace& face : body.faces) {
+    if (face.surface != surface) continue;
+    for (const int e : face.edges) {
+      const BodyEdge& edge = body.edges[e];
+      for (int i = 0; i <= kPoints; ++i) {
+        const double x =
+            curves.positionAt(edge.at(edge.range.at(static_cast<double>(i) / kPoints)));
+        w = {std::min(w.from, x), std::max(w.to, x)};
+      }
+    }
+  }
+  return w;
+}
+
 class TurningStep {
  public:
   TurningStep(const ElementaryBody& body, const StepPath& path, int pose, TurningFaces& to)
@@ -345,21 +363,8 @@ class TurningStep {
   // which it touches a face.
   bool appendGrazes(int surface, int curve) {
     constexpr double kWider = 0.05;
-    constexpr int kPoints = 32;
     const ContactCurves& curves = curves_[surface];
-    Range w{HUGE_VAL, -HUGE_VAL};
-    for (const BodyFace& face : body_.faces) {
-      if (face.surface != surface) continue;
-      for (const int e : face.edges) {
-        const BodyEdge& edge = body_.edges[e];
-        for (int i = 0; i <= kPoints; ++i) {
-          const double x =
-              curves.positionAt(edge.at(edge.range.at(static_cast<double>(i) / kPoints)));
-          w = {std::min(w.from, x), std::max(w.to, x)};
-        }
-      }
-    }
-    w = w.grown(kWider);
+    const Range w = extentOf(body_, surface, curves).grown(kWider);
     std::vector<Range> times;
     for (const Contact& contact : contacts_) {
       if (body_.faces[contact.face].surface == surface && contact.curve == curve)
@@ -563,6 +568,33 @@ class TurningStep {
   std::vector<Graze> grazes_;
 };
 
+// Appends the points of the body at which surfaces of two steps are tangent at the pose between
+// them: on edges, whose sheets have a common border there, and at crossings of contact curves.
+void appendKeyCrossings(const ElementaryBody& body, const StepPath& before, const StepPath& after,
+                        std::vector<gp_Pnt>& to) {
+  const Moment end(before, 1), start(after, 0);
+  const auto append = [&](const Vector3d& p) { to.push_back(pointOf(end.placement.apply(p))); };
+  for (const BodyEdge& edge : body.edges) {
+    const auto volume = [&](double u) {
+      const Vector3d p = edge.at(u);
+      return edge.tangent(u).dot(end.velocityAt(p).cross(start.velocityAt(p)));
+    };
+    for (const double u : zerosOf(volume, edge.range)) append(edge.at(u));
+  }
+  for (const BodyFace& face : body.faces) {
+    const BodySurface& surface = body.surfaces[face.surface];
+    const ContactCurves curves(surface, before);
+    const Range w = extentOf(body, face.surface, curves);
+    for (int curve = 0; curve < curves.count(); ++curve) {
+      const auto speed = [&](double x) {
+        const Vector3d p = curves.at(curve, x, 1);
+        return surface.normalAt(p).dot(start.velocityAt(p));
+      };
+      for (const double x : zerosOf(speed, w)) append(curves.at(curve, x, 1));
+    }
+  }
+}
+
 }  // namespace
 
 std::optional<TurningFaces> turningFaces(const TopoDS_Shape& shape, const Trajectory& trajectory) {
@@ -574,10 +606,13 @@ std::optional<TurningFaces> turningFaces(const TopoDS_Shape& shape, const Trajec
     for (const BodyFace& face : body.faces)
       result.faces.push_back({posed.back().of(face), static_cast<int>(k)});
   }
-  for (std::size_t k = 0; k + 1 < trajectory.poses.size(); ++k) {
-    const StepPath path(trajectory.poses[k], trajectory.poses[k + 1], trajectory.interpolation);
-    TurningStep step(body, path, static_cast<int>(k), result);
+  std::vector<StepPath> paths;
+  for (std::size_t k = 0; k + 1 < trajectory.poses.size(); ++k)
+    paths.emplace_back(trajectory.poses[k], trajectory.poses[k + 1], trajectory.interpolation);
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    TurningStep step(body, paths[k], static_cast<int>(k), result);
     if (!step.append(posed[k], posed[k + 1])) return std::nullopt;
+    if (k > 0) appendKeyCrossings(body, paths[k - 1], paths[k], result.crossings);
   }
   return result;
 }

@@ -6,6 +6,7 @@
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -115,8 +116,9 @@ class KernelJudge : public Judge {
     constexpr double kDeflection = 0.5;  // of the accuracy
     constexpr double kAngle = 0.5;       // rad; the deflection demands more
     const ShapeTriangles triangles(read, kDeflection * sides.detail(), kAngle);
-    assembly.deviation = sweepDeviation(triangles.of(read), mesh.points, sides.interior(),
-                                        sides.detail(), options.tolerance);
+    assembly.deviation =
+        std::max(assembled.filled, sweepDeviation(triangles.of(read), mesh.points, sides.interior(),
+                                                  sides.detail(), options.tolerance));
     brep_.readBack = read;
     for (TopExp_Explorer it(read, TopAbs_FACE); it.More(); it.Next())
       ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];
