@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/assemble/contact_curves.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace swept::step {
 
 using Eigen::Vector3d;
@@ -30,6 +33,22 @@ int ContactCurves::curveOf(const Vector3d& p, double s) const {
   if (surface_.isPlane) return 0;
   const double w = positionAt(p);
   return (at(0, w, s) - p).squaredNorm() < (at(1, w, s) - p).squaredNorm() ? 0 : 1;
+}
+
+Range ContactCurves::extent(const ElementaryBody& body, int surface) const {
+  constexpr int kPoints = 32;
+  Range w{HUGE_VAL, -HUGE_VAL};
+  for (const BodyFace& face : body.faces) {
+    if (face.surface != surface) continue;
+    for (const int e : face.edges) {
+      const BodyEdge& edge = body.edges[e];
+      for (int i = 0; i <= kPoints; ++i) {
+        const double x = positionAt(edge.at(edge.range.at(static_cast<double>(i) / kPoints)));
+        w = {std::min(w.from, x), std::max(w.to, x)};
+      }
+    }
+  }
+  return w;
 }
 
 }  // namespace swept::step

@@ -31,6 +31,8 @@ class ContactCurves {
   double positionAt(const Eigen::Vector3d& p) const { return p.dot(along_); }
   /// Returns the curve to which a point of contact belongs.
   int curveOf(const Eigen::Vector3d& p, double s) const;
+  /// Returns the positions between which the faces of the surface lie.
+  Range extent(const ElementaryBody& body, int surface) const;
   /// Unit vector along the line or the axis, in coordinates of the body.
   const Eigen::Vector3d& along() const { return along_; }
 

@@ -6,9 +6,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Line.hxx>
-#include <Geom_BSplineCurve.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
@@ -21,10 +19,10 @@
 #include "motion/step_path.h"
 #include "solid/assemble/contact_curves.h"
 #include "solid/assemble/elementary_body.h"
-#include "solid/assemble/interpolate_curve.h"
+#include "solid/assemble/fitted_edge.h"
 #include "solid/assemble/kernel_geometry.h"
+#include "solid/assemble/key_crossings.h"
 #include "solid/assemble/zero_curves.h"
-#include "solid/carrier/fit_spline.h"
 #include "solid/sweep/contact.h"
 #include "solid/sweep/interpolate.h"
 #include "solid/sweep/swept_surface.h"
@@ -66,24 +64,6 @@ struct Graze {
   Range w, s;
   int face;
 };
-
-// Returns the positions on contact curves between which the faces of a surface lie.
-Range extentOf(const ElementaryBody& body, int surface, const ContactCurves& curves) {
-  constexpr int kPoints = 32;
-  Range w{HUGE_VAL, -HUGE_VAL};
-  for (const BodyFace& face : body.faces) {
-    if (face.surface != surface) continue;
-    for (const int e : face.edges) {
-      const BodyEdge& edge = body.edges[e];
-      for (int i = 0; i <= kPoints; ++i) {
-        const double x =
-            curves.positionAt(edge.at(edge.range.at(static_cast<double>(i) / kPoints)));
-        w = {std::min(w.from, x), std::max(w.to, x)};
-      }
-    }
-  }
-  return w;
-}
 
 class TurningStep {
  public:
@@ -221,45 +201,11 @@ class TurningStep {
     return times;
   }
 
-  // Makes the edge t -> exact(t), t in the range. Null if the bound is not reached.
-  static TopoDS_Edge edgeOf(const std::function<Vector3d(double)>& exact, Range range) {
-    TopoDS_Edge edge;
-    const auto fitted = fitSpline(exact, range, kCurveBound);
-    if (!fitted) return edge;
-    const BRep_Builder builder;
-    builder.MakeEdge(edge, kernelCurve(*fitted), Precision::Confusion());
-    builder.Range(edge, 0, fitted->last);
-    return edge;
-  }
-
-  // Adds the curve t -> on(t) in the parameters of a face to an edge of edgeOf(). `scale`: mm per
-  // unit of these parameters.
-  bool addOn(int face, const TopoDS_Edge& edge, const std::function<Vector2d(double)>& on,
-             const Vector2d& scale, Range range) const {
-    const auto fitted = fitSpline(
-        [&](double t) {
-          const Vector2d p = on(t).cwiseProduct(scale);
-          return Vector3d(p.x(), p.y(), 0);
-        },
-        range, kCurveBound);
-    if (!fitted) {
-      return false;
-    }
-    const auto space = Handle(Geom_BSplineCurve)::DownCast(kernelCurve(*fitted));
-    TColgp_Array1OfPnt2d poles(1, space->NbPoles());
-    for (int i = 1; i <= space->NbPoles(); ++i)
-      poles(i) = {space->Pole(i).X() / scale.x(), space->Pole(i).Y() / scale.y()};
-    const Handle(Geom2d_BSplineCurve) curve =
-        new Geom2d_BSplineCurve(poles, space->Knots(), space->Multiplicities(), space->Degree());
-    BRep_Builder().UpdateEdge(edge, curve, to_.faces[face].face, Precision::Confusion());
-    return true;
-  }
-
   bool makePaths(Span& span) const {
     const BRep_Builder builder;
     for (int v = 0; v < body_.vertices.Extent(); ++v) {
       const Vector3d p = body_.point(v);
-      TopoDS_Edge edge = edgeOf([&](double t) { return at(p, t / length_); }, timeOf(span.s));
+      TopoDS_Edge edge = fittedEdge([&](double t) { return at(p, t / length_); }, timeOf(span.s));
       if (edge.IsNull()) {
         return false;
       }
@@ -364,7 +310,7 @@ class TurningStep {
   bool appendGrazes(int surface, int curve) {
     constexpr double kWider = 0.05;
     const ContactCurves& curves = curves_[surface];
-    const Range w = extentOf(body_, surface, curves).grown(kWider);
+    const Range w = curves.extent(body_, surface).grown(kWider);
     std::vector<Range> times;
     for (const Contact& contact : contacts_) {
       if (body_.faces[contact.face].surface == surface && contact.curve == curve)
@@ -416,7 +362,7 @@ class TurningStep {
     }
     const ContactCurves& curves = curves_[graze->surface];
     const ZeroArc& arc = contact.arc;
-    const TopoDS_Edge shape = edgeOf(
+    const TopoDS_Edge shape = fittedEdge(
         [&](double t) {
           const Vector2d on = arc.at(t);
           return at(edge.at(on.x()), on.y());
@@ -430,13 +376,14 @@ class TurningStep {
       const Vector2d on = arc.at(t);
       return Vector2d(on.x(), timeOf(on.y()));
     };
-    if (shape.IsNull() || !addOn(graze->face, shape, onGraze, {1, 1}, arc.range())) {
+    if (shape.IsNull() ||
+        !addCurveOn(to_.faces[graze->face].face, shape, onGraze, {1, 1}, arc.range())) {
       return false;
     }
     SweptSection divider{shape, {graze->face}};
     const int sheet = spans_[contact.span].sheets[contact.edge];
     if (sheet >= 0) {
-      if (!addOn(sheet, shape, onSheet, {edge.scale, 1}, arc.range())) {
+      if (!addCurveOn(to_.faces[sheet].face, shape, onSheet, {edge.scale, 1}, arc.range())) {
         return false;
       }
       divider.faces.push_back(sheet);
@@ -496,11 +443,12 @@ class TurningStep {
       const auto onCap = [&](double x) {
         return surface.parametersOf(curves.at(graze.curve, x, time), (u0 + u1) / 2);
       };
-      edge = edgeOf(exact, w);
+      edge = fittedEdge(exact, w);
       if (edge.IsNull() ||
-          !addOn(
-              graze.face, edge, [&](double x) { return Vector2d(x, timeOf(time)); }, {1, 1}, w) ||
-          !addOn(cap, edge, onCap, {surface.radius, 1}, w))
+          !addCurveOn(
+              to_.faces[graze.face].face, edge, [&](double x) { return Vector2d(x, timeOf(time)); },
+              {1, 1}, w) ||
+          !addCurveOn(to_.faces[cap].face, edge, onCap, {surface.radius, 1}, w))
         return;
     }
     to_.dividers.push_back({edge, {graze.face, cap}});
@@ -528,12 +476,13 @@ class TurningStep {
              (stepW * stepS * length_);
     };
     for (const ZeroArc& arc : zeroArcs(area, graze.w, graze.s, {1, length_})) {
-      const TopoDS_Edge edge = edgeOf([&](double t) { return exact(arc.at(t)); }, arc.range());
+      const TopoDS_Edge edge = fittedEdge([&](double t) { return exact(arc.at(t)); }, arc.range());
       const auto on = [&](double t) {
         const Vector2d p = arc.at(t);
         return Vector2d(p.x(), timeOf(p.y()));
       };
-      if (edge.IsNull() || !addOn(graze.face, edge, on, {1, 1}, arc.range())) continue;
+      if (edge.IsNull() || !addCurveOn(to_.faces[graze.face].face, edge, on, {1, 1}, arc.range()))
+        continue;
       to_.folds.push_back({edge, {graze.face}});
       appendCrossings(graze, area);
     }
@@ -567,33 +516,6 @@ class TurningStep {
   std::vector<Contact> contacts_;
   std::vector<Graze> grazes_;
 };
-
-// Appends the points of the body at which surfaces of two steps are tangent at the pose between
-// them: on edges, whose sheets have a common border there, and at crossings of contact curves.
-void appendKeyCrossings(const ElementaryBody& body, const StepPath& before, const StepPath& after,
-                        std::vector<gp_Pnt>& to) {
-  const Moment end(before, 1), start(after, 0);
-  const auto append = [&](const Vector3d& p) { to.push_back(pointOf(end.placement.apply(p))); };
-  for (const BodyEdge& edge : body.edges) {
-    const auto volume = [&](double u) {
-      const Vector3d p = edge.at(u);
-      return edge.tangent(u).dot(end.velocityAt(p).cross(start.velocityAt(p)));
-    };
-    for (const double u : zerosOf(volume, edge.range)) append(edge.at(u));
-  }
-  for (const BodyFace& face : body.faces) {
-    const BodySurface& surface = body.surfaces[face.surface];
-    const ContactCurves curves(surface, before);
-    const Range w = extentOf(body, face.surface, curves);
-    for (int curve = 0; curve < curves.count(); ++curve) {
-      const auto speed = [&](double x) {
-        const Vector3d p = curves.at(curve, x, 1);
-        return surface.normalAt(p).dot(start.velocityAt(p));
-      };
-      for (const double x : zerosOf(speed, w)) append(curves.at(curve, x, 1));
-    }
-  }
-}
 
 }  // namespace
 

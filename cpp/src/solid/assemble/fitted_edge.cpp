@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/fitted_edge.h"
+
+#include <BRep_Builder.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Precision.hxx>
+
+#include "solid/assemble/interpolate_curve.h"
+#include "solid/assemble/kernel_geometry.h"
+#include "solid/carrier/fit_spline.h"
+
+namespace swept::step {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+TopoDS_Edge fittedEdge(const std::function<Vector3d(double)>& exact, Range range) {
+  TopoDS_Edge edge;
+  const auto fitted = fitSpline(exact, range, kCurveBound);
+  if (!fitted) return edge;
+  const BRep_Builder builder;
+  builder.MakeEdge(edge, kernelCurve(*fitted), Precision::Confusion());
+  builder.Range(edge, 0, fitted->last);
+  return edge;
+}
+
+bool addCurveOn(const TopoDS_Face& face, const TopoDS_Edge& edge,
+                const std::function<Vector2d(double)>& on, const Vector2d& scale, Range range) {
+  const auto fitted = fitSpline(
+      [&](double t) {
+        const Vector2d p = on(t).cwiseProduct(scale);
+        return Vector3d(p.x(), p.y(), 0);
+      },
+      range, kCurveBound);
+  if (!fitted) return false;
+  const auto space = Handle(Geom_BSplineCurve)::DownCast(kernelCurve(*fitted));
+  TColgp_Array1OfPnt2d poles(1, space->NbPoles());
+  for (int i = 1; i <= space->NbPoles(); ++i)
+    poles(i) = {space->Pole(i).X() / scale.x(), space->Pole(i).Y() / scale.y()};
+  const Handle(Geom2d_BSplineCurve) curve =
+      new Geom2d_BSplineCurve(poles, space->Knots(), space->Multiplicities(), space->Degree());
+  BRep_Builder().UpdateEdge(edge, curve, face, Precision::Confusion());
+  return true;
+}
+
+}  // namespace swept::step

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/key_crossings.h"
+
+#include "solid/assemble/contact_curves.h"
+#include "solid/assemble/kernel_geometry.h"
+#include "solid/assemble/zero_curves.h"
+#include "solid/sweep/contact.h"
+
+namespace swept::step {
+
+using Eigen::Vector3d;
+
+void appendKeyCrossings(const ElementaryBody& body, const StepPath& before, const StepPath& after,
+                        std::vector<gp_Pnt>& to) {
+  const Moment end(before, 1), start(after, 0);
+  const auto append = [&](const Vector3d& p) { to.push_back(pointOf(end.placement.apply(p))); };
+  for (const BodyEdge& edge : body.edges) {
+    const auto volume = [&](double u) {
+      const Vector3d p = edge.at(u);
+      return edge.tangent(u).dot(end.velocityAt(p).cross(start.velocityAt(p)));
+    };
+    for (const double u : zerosOf(volume, edge.range)) append(edge.at(u));
+  }
+  for (const BodyFace& face : body.faces) {
+    const BodySurface& surface = body.surfaces[face.surface];
+    const ContactCurves curves(surface, before);
+    const Range w = curves.extent(body, face.surface);
+    for (int curve = 0; curve < curves.count(); ++curve) {
+      const auto speed = [&](double x) {
+        const Vector3d p = curves.at(curve, x, 1);
+        return surface.normalAt(p).dot(start.velocityAt(p));
+      };
+      for (const double x : zerosOf(speed, w)) append(curves.at(curve, x, 1));
+    }
+  }
+}
+
+}  // namespace swept::step
