@@ -25,6 +25,7 @@
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <set>
 
@@ -225,14 +226,22 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
     // If ends of sections that belong together are farther apart than expected, the faces do not
     // fit together. Then they are divided again with a larger distance.
     constexpr double kLargerNear = 1e-4;
+    std::deque<Pieces> attempts;
+    const auto sweepOf = [&](const Pieces& pieces) -> AssembledSweep {
+      if (!pieces.openEdges().empty()) return {};
+      return {solidOf(pieces.chosen()), pieces.areCertain(), pieces.filled()};
+    };
     for (const double near : std::set<double>{faces.near, kLargerNear, kMaxNear}) {
       if (scope.UserBreak()) return {};
       const TopoDS_Shape divided = dividedAtSections(faces, near);
       if (divided.IsNull()) continue;
-      const Pieces pieces(divided, sides);
-      const TopoDS_Shape solid =
-          pieces.openEdges().empty() ? solidOf(pieces.chosen()) : TopoDS_Shape();
-      if (!solid.IsNull()) return {solid, pieces.areCertain(), pieces.filled()};
+      const AssembledSweep sweep = sweepOf(attempts.emplace_back(divided, sides));
+      if (!sweep.shape.IsNull()) return sweep;
+    }
+    for (Pieces& pieces : attempts) {
+      pieces.fillGrooves();
+      const AssembledSweep sweep = sweepOf(pieces);
+      if (!sweep.shape.IsNull()) return sweep;
     }
   }
   if (!faces.canFuse) return {};

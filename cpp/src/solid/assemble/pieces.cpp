@@ -175,37 +175,33 @@ Chain Pieces::borderOf(int f) const {
 void Pieces::choose() {
   chosen_.assign(faces_.Extent() + 1, 0);
   turned_.assign(faces_.Extent() + 1, 0);
-  constexpr double kThin = 30;                // times the detail
   std::vector<std::pair<double, int>> costs;  // of inverting a choice
-  std::vector<std::pair<double, int>> thin;
   for (int f = 1; f <= faces_.Extent(); ++f) {
     const Votes& votes = votes_[f];
     const int yes = std::max(votes.behind, votes.before), no = votes.both + votes.none;
     chosen_[f] = hasSide(f);
     turned_[f] = votes.before > votes.behind;
-    if (isDoubtful(f)) {
-      costs.emplace_back(area_[f] * (1 + std::abs(yes - no)), f);
-    } else if (width_[f] < kThin * sides_.detail()) {
-      thin.emplace_back(width_[f], f);
-    }
+    if (isDoubtful(f)) costs.emplace_back(area_[f] * (1 + std::abs(yes - no)), f);
   }
-  const auto inOrder = [](std::vector<std::pair<double, int>>& pieces) {
-    std::sort(pieces.begin(), pieces.end());
-    std::vector<int> result;
-    for (const auto& [cost, f] : pieces) result.push_back(f);
-    return result;
-  };
-  const std::vector<char> byVotes = chosen_;
-  std::vector<int> doubtful = inOrder(costs);
-  closeWith(doubtful);
-  dropBubbles(doubtful);
-  if (!openEdges().empty()) {
-    // A groove may be so thin that its other walls were not found. Without it, the surface closes.
-    for (const int f : inOrder(thin)) doubtful.push_back(f);
-    closeWith(doubtful);
+  std::sort(costs.begin(), costs.end());
+  for (const auto& [cost, f] : costs) doubtful_.push_back(f);
+  byVotes_ = chosen_;
+  closeWith(doubtful_);
+  dropBubbles(doubtful_);
+  orient();
+}
+
+void Pieces::fillGrooves() {
+  constexpr double kThin = 30;  // times the detail
+  std::vector<std::pair<double, int>> thin;
+  for (int f = 1; f <= faces_.Extent(); ++f) {
+    if (!isDoubtful(f) && width_[f] < kThin * sides_.detail()) thin.emplace_back(width_[f], f);
   }
-  for (const int f : doubtful) {
-    if (chosen_[f] != byVotes[f] && !narrow_[f]) filled_ = std::max(filled_, width_[f]);
+  std::sort(thin.begin(), thin.end());
+  for (const auto& [width, f] : thin) doubtful_.push_back(f);
+  closeWith(doubtful_);
+  for (const int f : doubtful_) {
+    if (chosen_[f] != byVotes_[f] && !narrow_[f]) filled_ = std::max(filled_, width_[f]);
   }
   orient();
 }

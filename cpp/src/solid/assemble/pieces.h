@@ -35,8 +35,11 @@ class Pieces {
   /// Returns whether all samples of each chosen piece agree, unless the piece is narrow.
   bool areCertain() const;
 
-  /// mm: the largest width of a piece that was chosen, or not chosen, against the samples, as the
-  /// surface closes only so. 0 if there is none.
+  /// Tries to close the surface without thin pieces, although samples see the swept volume on one
+  /// side of them: a groove may be so thin that its other walls were not found.
+  void fillGrooves();
+  /// mm: after fillGrooves(), the largest width of a piece that was chosen, or not chosen, against
+  /// the samples; 0 if there is none.
   double filled() const { return filled_; }
 
   /// Returns the pieces, those at the edges one by one, the others together.
@@ -91,6 +94,8 @@ class Pieces {
   std::vector<double> width_;  // mm, if it is much longer than wide
   std::vector<char> narrow_;   // whether it is narrow, compared with the distance of the samples
   std::vector<char> chosen_, turned_;
+  std::vector<char> byVotes_;  // the first choice
+  std::vector<int> doubtful_;  // pieces whose choice may be inverted; the first are preferred
   double filled_ = 0;
 };
 
