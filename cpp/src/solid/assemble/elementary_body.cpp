@@ -134,6 +134,11 @@ double ElementaryBody::convexity(const BodyEdge& edge) const {
   return 0;
 }
 
+bool ElementaryBody::isConvex(const BodyEdge& edge) const {
+  constexpr double kFlat = 1e-6;
+  return convexity(edge) > kFlat;
+}
+
 PosedBody::PosedBody(const TopoDS_Shape& body, const Pose& pose)
     : maker_(std::make_unique<BRepBuilderAPI_Transform>(body, transformOf(pose), Standard_True)) {}
 

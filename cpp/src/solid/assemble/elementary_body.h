@@ -64,8 +64,14 @@ struct ElementaryBody {
   Eigen::Vector3d point(int vertex) const;
   const BodySurface& surfaceOf(int face) const { return surfaces[faces[face].surface]; }
   /// Returns the sine of the angle by which the body is convex at the edge; negative if it is
-  /// concave. Where it is not positive, an edge sweeps no surface of the envelope.
+  /// concave.
   double convexity(const BodyEdge& edge) const;
+  /// Other edges sweep no surface of the envelope.
+  bool isConvex(const BodyEdge& edge) const;
+  /// Returns whether both faces of an edge have the same surface.
+  bool isWithinSurface(const BodyEdge& edge) const {
+    return faces[edge.faces[0]].surface == faces[edge.faces[1]].surface;
+  }
 
   TopoDS_Shape shape;
   TopTools_IndexedMapOfShape vertices;

@@ -17,15 +17,14 @@
 #include <utility>
 
 #include "motion/step_path.h"
+#include "solid/assemble/body_motion.h"
 #include "solid/assemble/contact_curves.h"
 #include "solid/assemble/elementary_body.h"
 #include "solid/assemble/fitted_edge.h"
 #include "solid/assemble/kernel_geometry.h"
 #include "solid/assemble/key_crossings.h"
 #include "solid/assemble/zero_curves.h"
-#include "solid/sweep/contact.h"
 #include "solid/sweep/interpolate.h"
-#include "solid/sweep/swept_surface.h"
 
 namespace swept::step {
 namespace {
@@ -68,27 +67,15 @@ struct Graze {
 class TurningStep {
  public:
   TurningStep(const ElementaryBody& body, const StepPath& path, int pose, TurningFaces& to)
-      : body_(body), path_(path), pose_(pose), to_(to) {
-    constexpr int kChords = 16;
-    for (int v = 0; v < body.vertices.Extent(); ++v) {
-      double travel = 0;
-      for (int i = 0; i < kChords; ++i)
-        travel += (at(body.point(v), (i + 1.0) / kChords) -
-                   at(body.point(v), static_cast<double>(i) / kChords))
-                      .norm();
-      length_ = std::max(length_, travel);
-      shortest_ = std::min(shortest_, travel);
-    }
+      : body_(body), path_(path), motion_(body, path), pose_(pose), to_(to) {
     for (const BodySurface& surface : body.surfaces) curves_.emplace_back(surface, path);
   }
 
   // Returns false if there is no regular surface for a face or an edge.
   bool append(const PosedBody& start, const PosedBody& end) {
     constexpr double kNoTravel = 1e-5;  // mm
-    if (shortest_ < kNoTravel || doesSlide()) {
-      return false;
-    }
-    const std::vector<double> times = pinches();
+    if (motion_.shortest() < kNoTravel || motion_.doesSlide()) return false;
+    const std::vector<double> times = motion_.pinches();
     for (std::size_t i = 1; i + 1 < times.size(); ++i)
       between_.emplace_back(body_.shape, path_.poseAt(times[i]));
     for (std::size_t i = 0; i + 1 < times.size(); ++i) {
@@ -96,27 +83,19 @@ class TurningStep {
       span.s = {times[i], times[i + 1]};
       span.start = i == 0 ? &start : &between_[i - 1];
       span.end = i + 2 == times.size() ? &end : &between_[i];
-      if (!makePaths(span)) {
-        return false;
-      }
+      if (!makePaths(span)) return false;
     }
     for (std::size_t e = 0; e < body_.edges.size(); ++e) {
-      if (!appendSheet(static_cast<int>(e))) {
-        return false;
-      }
+      if (!appendSheet(static_cast<int>(e))) return false;
       findContacts(static_cast<int>(e));
     }
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       for (int curve = 0; curve < curves_[i].count(); ++curve) {
-        if (!appendGrazes(static_cast<int>(i), curve)) {
-          return false;
-        }
+        if (!appendGrazes(static_cast<int>(i), curve)) return false;
       }
     }
     for (const Contact& contact : contacts_) {
-      if (!appendContact(contact)) {
-        return false;
-      }
+      if (!appendContact(contact)) return false;
     }
     for (const Graze& graze : grazes_) {
       for (const int time : {0, 1}) {
@@ -129,86 +108,13 @@ class TurningStep {
   }
 
  private:
-  Vector3d at(const Vector3d& p, double s) const { return path_.at(s).apply(p); }
-  double timeOf(double s) const { return s * length_; }
-  Range timeOf(Range s) const { return {timeOf(s.from), timeOf(s.to)}; }
-
-  // Returns n.v at a point.
-  double speedOf(int f, const Vector3d& p, double s) const {
-    return body_.surfaceOf(f).normalAt(p).dot(Moment(path_, s).velocityAt(p));
-  }
-  // Returns n.v at the points (u, s) of an edge.
-  OfTwo speedOn(const BodyEdge& edge, int f) const {
-    return [this, &edge, f](const Vector2d& on) { return speedOf(f, edge.at(on[0]), on[1]); };
-  }
-
-  // Returns whether a face moves only along itself.
-  bool doesSlide() const {
-    constexpr int kTimes = 16, kPoints = 4;
-    for (std::size_t f = 0; f < body_.faces.size(); ++f) {
-      double largest = 0;
-      for (const int e : body_.faces[f].edges) {
-        const BodyEdge& edge = body_.edges[e];
-        for (int i = 0; i <= kTimes; ++i) {
-          for (int j = 0; j <= kPoints; ++j) {
-            const Vector3d p = edge.at(edge.range.at(static_cast<double>(j) / kPoints));
-            largest = std::max(largest, std::abs(speedOf(static_cast<int>(f), p,
-                                                         static_cast<double>(i) / kTimes)));
-          }
-        }
-      }
-      if (largest <= kNoSpeed * length_) return true;
-    }
-    return false;
-  }
-
-  // Returns whether both faces of an edge belong to one surface.
-  bool isWithinSurface(const BodyEdge& edge) const {
-    return body_.faces[edge.faces[0]].surface == body_.faces[edge.faces[1]].surface;
-  }
-  bool isConvex(const BodyEdge& edge) const {
-    constexpr double kFlat = 1e-6;
-    return body_.convexity(edge) > kFlat;
-  }
-  bool isSmooth(const BodyEdge& edge) const {
-    constexpr double kFlat = 1e-6;
-    return std::abs(body_.convexity(edge)) <= kFlat;
-  }
-
-  std::vector<ZeroArc> contactsOf(const BodyEdge& edge, int f, Range s) const {
-    return zeroArcs(speedOn(edge, f), edge.range, s, {edge.scale, length_});
-  }
-
-  // Returns the start and the end of the step, and between them the times at which a point of an
-  // edge moves along the edge. There the surface that the edge sweeps is pinched, and from there it
-  // intersects itself; cut at this time, its parts do not.
-  std::vector<double> pinches() const {
-    std::vector<double> times{0, 1};
-    for (const BodyEdge& edge : body_.edges) {
-      if (edge.faces[1] < 0 || !isConvex(edge)) continue;
-      const OfTwo other = speedOn(edge, edge.faces[1]);
-      for (const ZeroArc& arc : contactsOf(edge, edge.faces[0], {0, 1})) {
-        for (const double t : zerosOf([&](double x) { return other(arc.at(x)); }, arc.range()))
-          times.push_back(arc.at(t).y());
-      }
-    }
-    std::sort(times.begin(), times.end());
-    constexpr double kSameTime = 1e-6;
-    times.erase(std::unique(times.begin(), times.end(),
-                            [](double a, double b) { return b - a < kSameTime; }),
-                times.end());
-    times.back() = 1;
-    return times;
-  }
-
   bool makePaths(Span& span) const {
     const BRep_Builder builder;
     for (int v = 0; v < body_.vertices.Extent(); ++v) {
       const Vector3d p = body_.point(v);
-      TopoDS_Edge edge = fittedEdge([&](double t) { return at(p, t / length_); }, timeOf(span.s));
-      if (edge.IsNull()) {
-        return false;
-      }
+      TopoDS_Edge edge = fittedEdge([&](double t) { return motion_.at(p, t / motion_.length()); },
+                                    motion_.timeOf(span.s));
+      if (edge.IsNull()) return false;
       const TopoDS_Shape& vertex = body_.vertices(v + 1);
       builder.Add(edge, span.start->of(vertex).Oriented(TopAbs_FORWARD));
       builder.Add(edge, span.end->of(vertex).Oriented(TopAbs_REVERSED));
@@ -217,36 +123,20 @@ class TurningStep {
     return true;
   }
 
-  // Returns whether the edge is ever between a face that moves outward and one that moves inward.
-  bool isOutline(const BodyEdge& edge) const {
-    constexpr int kTimes = 128, kPoints = 16;
-    for (int i = 0; i <= kTimes; ++i) {
-      const double s = static_cast<double>(i) / kTimes;
-      for (int j = 0; j <= kPoints; ++j) {
-        const Vector3d p = edge.at(edge.range.at(static_cast<double>(j) / kPoints));
-        if (speedOf(edge.faces[0], p, s) * speedOf(edge.faces[1], p, s) < 0) return true;
-      }
-    }
-    return false;
-  }
-
   // Appends what an edge sweeps: a face for each span, all on one surface. Its parameters are that
   // of the edge, and time.
   bool appendSheet(int e) {
     const BodyEdge& edge = body_.edges[e];
     for (Span& span : spans_) span.sheets.push_back(-1);
-    if (edge.faces[1] < 0) {
-      return false;
-    }
-    if (!isConvex(edge) || !isOutline(edge)) return true;
+    if (edge.faces[1] < 0) return false;
+    if (!body_.isConvex(edge) || !motion_.isOutline(edge)) return true;
     const bool isLine = edge.scale == 1;
     const Knots line(1, {edge.range.from, edge.range.to});
     const auto fitted =
-        fitSheet([&](double u, double t) { return at(edge.at(u), t / length_); }, edge.range,
-                 {0, length_}, isLine ? &line : nullptr, kSurfaceBound, kMaxTurningPoles);
-    if (!fitted) {
-      return false;
-    }
+        fitSheet([&](double u, double t) { return motion_.at(edge.at(u), t / motion_.length()); },
+                 edge.range, {0, motion_.length()}, isLine ? &line : nullptr, kSurfaceBound,
+                 kMaxTurningPoles);
+    if (!fitted) return false;
     const Handle(Geom_Surface) surface = kernelSheet(*fitted->sheet);
     for (Span& span : spans_) {
       span.sheets.back() = static_cast<int>(to_.faces.size());
@@ -271,7 +161,7 @@ class TurningStep {
       builder.UpdateEdge(border, new Geom2d_Line(start, along), face, Precision::Confusion());
       builder.Add(wire, border.Oriented(isForward ? TopAbs_FORWARD : TopAbs_REVERSED));
     };
-    const Range t = timeOf(span.s);
+    const Range t = motion_.timeOf(span.s);
     add(span.start->of(edge), true, {edge.range.from, t.from}, {1, 0});
     add(span.paths[edge.to], true, {edge.range.to, t.from}, {0, 1});
     add(span.end->of(edge), false, {edge.range.from, t.to}, {1, 0});
@@ -284,12 +174,12 @@ class TurningStep {
   // Finds the paths of points of contact that lie on an edge.
   void findContacts(int e) {
     const BodyEdge& edge = body_.edges[e];
-    if (isWithinSurface(edge)) return;
+    if (body_.isWithinSurface(edge)) return;
     for (const int f : edge.faces) {
       const ContactCurves& curves = curves_[body_.faces[f].surface];
       if (curves.count() == 0) continue;
       for (std::size_t i = 0; i < spans_.size(); ++i) {
-        for (const ZeroArc& arc : contactsOf(edge, f, spans_[i].s)) {
+        for (const ZeroArc& arc : motion_.contactsOf(edge, f, spans_[i].s)) {
           const Range range = arc.range();
           Range s{HUGE_VAL, -HUGE_VAL};
           constexpr int kPoints = 16;
@@ -330,16 +220,17 @@ class TurningStep {
     for (const Range& s : joined) {
       const Knots straight(1, {w.from, w.to});
       const auto fitted = fitSheet(
-          [&](double x, double t) { return at(curves.at(curve, x, t / length_), t / length_); }, w,
-          timeOf(s), curves.areStraight() ? &straight : nullptr, kSurfaceBound, kMaxTurningPoles);
-      if (!fitted) {
-        return false;
-      }
+          [&](double x, double t) {
+            return motion_.at(curves.at(curve, x, t / motion_.length()), t / motion_.length());
+          },
+          w, motion_.timeOf(s), curves.areStraight() ? &straight : nullptr, kSurfaceBound,
+          kMaxTurningPoles);
+      if (!fitted) return false;
       grazes_.push_back({surface, curve, w, s, static_cast<int>(to_.faces.size())});
-      to_.faces.push_back(
-          {BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), w.from, w.to, timeOf(s.from),
-                                   timeOf(s.to), Precision::Confusion()),
-           SweptFace::kAlone});
+      to_.faces.push_back({BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), w.from, w.to,
+                                                   motion_.timeOf(s.from), motion_.timeOf(s.to),
+                                                   Precision::Confusion()),
+                           SweptFace::kAlone});
     }
     return true;
   }
@@ -357,35 +248,31 @@ class TurningStep {
   bool appendContact(const Contact& contact) {
     const BodyEdge& edge = body_.edges[contact.edge];
     const Graze* graze = grazeOf(contact, contact.face);
-    if (graze == nullptr) {
-      return false;
-    }
+    if (graze == nullptr) return false;
     const ContactCurves& curves = curves_[graze->surface];
     const ZeroArc& arc = contact.arc;
     const TopoDS_Edge shape = fittedEdge(
         [&](double t) {
           const Vector2d on = arc.at(t);
-          return at(edge.at(on.x()), on.y());
+          return motion_.at(edge.at(on.x()), on.y());
         },
         arc.range());
     const auto onGraze = [&](double t) {
       const Vector2d on = arc.at(t);
-      return Vector2d(curves.positionAt(edge.at(on.x())), timeOf(on.y()));
+      return Vector2d(curves.positionAt(edge.at(on.x())), motion_.timeOf(on.y()));
     };
     const auto onSheet = [&](double t) {
       const Vector2d on = arc.at(t);
-      return Vector2d(on.x(), timeOf(on.y()));
+      return Vector2d(on.x(), motion_.timeOf(on.y()));
     };
     if (shape.IsNull() ||
-        !addCurveOn(to_.faces[graze->face].face, shape, onGraze, {1, 1}, arc.range())) {
+        !addCurveOn(to_.faces[graze->face].face, shape, onGraze, {1, 1}, arc.range()))
       return false;
-    }
     SweptSection divider{shape, {graze->face}};
     const int sheet = spans_[contact.span].sheets[contact.edge];
     if (sheet >= 0) {
-      if (!addCurveOn(to_.faces[sheet].face, shape, onSheet, {edge.scale, 1}, arc.range())) {
+      if (!addCurveOn(to_.faces[sheet].face, shape, onSheet, {edge.scale, 1}, arc.range()))
         return false;
-      }
       divider.faces.push_back(sheet);
     }
     to_.dividers.push_back(divider);
@@ -406,7 +293,7 @@ class TurningStep {
     std::vector<double> crossings;
     for (const int e : body_.faces[f].edges) {
       const BodyEdge& edge = body_.edges[e];
-      const OfTwo speed = speedOn(edge, f);
+      const OfTwo speed = motion_.speedOn(edge, f);
       for (const double u : zerosOf([&](double x) { return speed({x, time}); }, edge.range)) {
         const Vector3d p = edge.at(u);
         if (curves.curveOf(p, time) == graze.curve) crossings.push_back(curves.positionAt(p));
@@ -426,7 +313,7 @@ class TurningStep {
   void appendContactCurve(const Graze& graze, int time, int f, Range w) {
     const ContactCurves& curves = curves_[graze.surface];
     const BodySurface& surface = body_.surfaces[graze.surface];
-    const auto exact = [&](double x) { return at(curves.at(graze.curve, x, time), time); };
+    const auto exact = [&](double x) { return motion_.at(curves.at(graze.curve, x, time), time); };
     const int cap = (pose_ + time) * static_cast<int>(body_.faces.size()) + f;
     TopoDS_Edge edge;
     if (curves.areStraight()) {
@@ -435,7 +322,8 @@ class TurningStep {
       builder.MakeEdge(edge, new Geom_Line(pointOf(exact(w.from)), direction),
                        Precision::Confusion());
       builder.Range(edge, 0, w.length());
-      builder.UpdateEdge(edge, new Geom2d_Line(gp_Pnt2d(w.from, timeOf(time)), gp_Dir2d(1, 0)),
+      builder.UpdateEdge(edge,
+                         new Geom2d_Line(gp_Pnt2d(w.from, motion_.timeOf(time)), gp_Dir2d(1, 0)),
                          to_.faces[graze.face].face, Precision::Confusion());
     } else {
       double u0, u1, v0, v1;
@@ -446,8 +334,8 @@ class TurningStep {
       edge = fittedEdge(exact, w);
       if (edge.IsNull() ||
           !addCurveOn(
-              to_.faces[graze.face].face, edge, [&](double x) { return Vector2d(x, timeOf(time)); },
-              {1, 1}, w) ||
+              to_.faces[graze.face].face, edge,
+              [&](double x) { return Vector2d(x, motion_.timeOf(time)); }, {1, 1}, w) ||
           !addCurveOn(to_.faces[cap].face, edge, onCap, {surface.radius, 1}, w))
         return;
     }
@@ -459,7 +347,7 @@ class TurningStep {
   void appendRegression(const Graze& graze) {
     const ContactCurves& curves = curves_[graze.surface];
     const auto exact = [&](const Vector2d& on) {
-      return at(curves.at(graze.curve, on.x(), on.y()), on.y());
+      return motion_.at(curves.at(graze.curve, on.x(), on.y()), on.y());
     };
     // Returns the signed area of the surface per unit of its parameters.
     const double stepW = 1e-3 * graze.w.length(), stepS = 1e-3;
@@ -473,13 +361,13 @@ class TurningStep {
           path_.at(on.y()).rotation *
           body_.surfaces[graze.surface].normalAt(curves.at(graze.curve, on.x(), on.y()));
       return slope(on, {stepW, 0}).cross(slope(on, {0, stepS})).dot(normal) /
-             (stepW * stepS * length_);
+             (stepW * stepS * motion_.length());
     };
-    for (const ZeroArc& arc : zeroArcs(area, graze.w, graze.s, {1, length_})) {
+    for (const ZeroArc& arc : zeroArcs(area, graze.w, graze.s, {1, motion_.length()})) {
       const TopoDS_Edge edge = fittedEdge([&](double t) { return exact(arc.at(t)); }, arc.range());
       const auto on = [&](double t) {
         const Vector2d p = arc.at(t);
-        return Vector2d(p.x(), timeOf(p.y()));
+        return Vector2d(p.x(), motion_.timeOf(p.y()));
       };
       if (edge.IsNull() || !addCurveOn(to_.faces[graze.face].face, edge, on, {1, 1}, arc.range()))
         continue;
@@ -500,17 +388,17 @@ class TurningStep {
       for (const double t :
            zerosOf([&](double x) { return area(onGraze(x)); }, contact.arc.range())) {
         const Vector2d on = contact.arc.at(t);
-        to_.crossings.push_back(pointOf(at(edge.at(on.x()), on.y())));
+        to_.crossings.push_back(pointOf(motion_.at(edge.at(on.x()), on.y())));
       }
     }
   }
 
   const ElementaryBody& body_;
   const StepPath& path_;
+  const BodyMotion motion_;
   const int pose_;  // index of the first pose
   TurningFaces& to_;
-  double length_ = 0, shortest_ = HUGE_VAL;  // mm: paths of vertices
-  std::vector<ContactCurves> curves_;        // by surface of the body
+  std::vector<ContactCurves> curves_;  // by surface of the body
   std::vector<PosedBody> between_;
   std::vector<Span> spans_;
   std::vector<Contact> contacts_;
