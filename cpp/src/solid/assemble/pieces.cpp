@@ -288,7 +288,6 @@ void Pieces::measure(int f) {
 }
 
 bool Pieces::areCertain() const {
-  if (filled_ > 0) return false;
   for (int f = 1; f <= faces_.Extent(); ++f) {
     if (chosen_[f] && !isUnanimous(f) && !narrow_[f]) return false;
   }

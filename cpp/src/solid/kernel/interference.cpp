@@ -117,13 +117,13 @@ std::vector<std::int32_t> findInterfering(const Model& model, const Brep& brep, 
   return found;
 }
 
-bool doesIntersectItself(const TopoDS_Shape& shape) {
+bool doesIntersectItself(const TopoDS_Shape& shape, const Message_ProgressRange& progress) {
   BOPAlgo_ArgumentAnalyzer analyzer;
   analyzer.SetShape1(shape);
   analyzer.SelfInterMode() = true;
   analyzer.StopOnFirstFaulty() = true;
   analyzer.SetRunParallel(true);
-  analyzer.Perform();
+  analyzer.Perform(progress);
   return analyzer.HasFaulty();
 }
 

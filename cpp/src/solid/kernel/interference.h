@@ -8,6 +8,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Message_ProgressRange.hxx>
+#include <TopoDS_Shape.hxx>
 #include <cstdint>
 #include <vector>
 
@@ -21,7 +23,7 @@ namespace swept::step {
 std::vector<std::int32_t> findInterfering(const Model& model, const Brep& brep, RunContext& run);
 
 /// Returns whether faces of the shape intersect others, by the same test of all of them.
-bool doesIntersectItself(const TopoDS_Shape& shape);
+bool doesIntersectItself(const TopoDS_Shape& shape, const Message_ProgressRange& progress);
 
 /// Returns edges of curved faces that are farther from a face than a reader of the file would
 /// assume. A reader computes the tolerance of an edge from the distances at some of its points.

@@ -93,7 +93,7 @@ class KernelJudge : public Judge {
                                    RunContext& run) override {
     const SolidOrigin& origin = *options.origin;
     const Handle(KernelProgress) progress = new KernelProgress(run, 0.0, 0.3);
-    Message_ProgressScope scope(progress->Start(), "", 5);
+    Message_ProgressScope scope(progress->Start(), "", 7);
     brep_ = {};
     if (!canSweepFaces(*origin.shape, origin.trajectory)) return std::nullopt;
     const Sides sides(origin.shape->shape, origin.trajectory);
@@ -110,7 +110,8 @@ class KernelJudge : public Judge {
     writeStepFile(brep_.shape, text, "", options, kernel_, run);
     const TopoDS_Shape read = readStepText(text, kernel_, run);
     // The kernel's test takes minutes for faces that are nearly tangent.
-    if (!assembled.isCertain && doesIntersectItself(read)) return std::nullopt;
+    if (!assembled.isCertain && doesIntersectItself(read, scope.Next(2))) return std::nullopt;
+    run.checkpoint(Phase::Export);
     Assembly assembly;
     assembly.check = checkShape(read, run, 0.3, 0.5);
     constexpr double kDeflection = 0.5;  // of the accuracy
