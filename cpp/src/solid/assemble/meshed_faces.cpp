@@ -123,6 +123,7 @@ MeshedFaces::Meshed MeshedFaces::meshOf(const TopoDS_Face& face,
     const Vector3d p = vectorOf(made->Node(i).Transformed(place.Transformation()).XYZ());
     mesh.nodes.push_back(p);
     mesh.parameters.emplace_back(made->UVNode(i).X(), made->UVNode(i).Y());
+    mesh.range.extend(mesh.parameters.back());
     constexpr double kSame = 1e-6;  // mm
     std::array<long long, 3> cell;
     for (int k = 0; k < 3; ++k) cell[k] = std::llround(p[k] / kSame);
@@ -199,6 +200,14 @@ bool MeshedFaces::isInFace(int f, const Vector2d& on) const {
       isInside ^= part.uAt(on.y()) > on.x();
   }
   return isInside;
+}
+
+bool MeshedFaces::isInRange(int f, const Vector2d& on) const {
+  constexpr double kSlack = 1e-3;  // of the range
+  const Eigen::AlignedBox2d& range = faces_[f].range;
+  const Vector2d slack = kSlack * range.sizes();
+  return ((on - range.min() + slack).array() >= 0).all() &&
+         ((range.max() + slack - on).array() >= 0).all();
 }
 
 Handle(Geom2d_Curve) MeshedFaces::curveOn(int f, const TopoDS_Edge& edge) const {

@@ -67,6 +67,8 @@ class MeshedFaces {
 
   Jet jet(int f, const Eigen::Vector2d& on) const;
   bool isInFace(int f, const Eigen::Vector2d& on) const;
+  /// Returns whether the parameters are within the range of those of the face, or a little beyond.
+  bool isInRange(int f, const Eigen::Vector2d& on) const;
   /// Returns the curve of an edge in the parameters of a face; null if there is none.
   Handle(Geom2d_Curve) curveOn(int f, const TopoDS_Edge& edge) const;
 
@@ -93,6 +95,7 @@ class MeshedFaces {
     std::map<std::pair<int, int>, int> borders;  // two nodes -> edge
     std::set<int> edges;
     std::vector<BorderPart> parts;
+    Eigen::AlignedBox2d range;  // of the parameters
   };
   using Triangle = std::pair<int, int>;  // face, triangle of the face
   struct FoundPiercing;

@@ -217,7 +217,8 @@ std::optional<Vector2d> SectionTracer::footOn(int side, Vector2d on, const Vecto
     on += parameterStep(p - at.at, at);
     if (!on.allFinite()) return std::nullopt;
   }
-  if (!((jet(side, on).at - p).norm() < kSamePoint)) return std::nullopt;
+  if (!((jet(side, on).at - p).norm() < kSamePoint) || !faces_.isInRange(of_[side], on))
+    return std::nullopt;
   return on;
 }
 

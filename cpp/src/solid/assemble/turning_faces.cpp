@@ -137,8 +137,10 @@ class TurningStep {
                  edge.range, {0, motion_.length()}, isLine ? &line : nullptr, kSurfaceBound,
                  kMaxTurningPoles);
     if (!fitted) return false;
-    const Handle(Geom_Surface) surface = kernelSheet(*fitted->sheet);
     for (Span& span : spans_) {
+      // The whole surface may intersect itself. The kernel would find points on the wrong part.
+      const Handle(Geom_Surface) surface =
+          kernelSheet(fitted->sheet->part(edge.range, motion_.timeOf(span.s)));
       span.sheets.back() = static_cast<int>(to_.faces.size());
       to_.faces.push_back({sheetOf(edge, span, surface), SweptFace::kAlone});
     }
