@@ -11,9 +11,12 @@
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom2d_Curve.hxx>
 #include <Message_ProgressScope.hxx>
+#include <Precision.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <Standard_Failure.hxx>
@@ -196,6 +199,30 @@ TopoDS_Shape joined(const TopoDS_Shape& solids) {
   }
 }
 
+// Raises the tolerances of vertices until they contain the ends of all parameter curves, if these
+// are not too far away.
+void coverEnds(const TopoDS_Shape& shape, double farthest) {
+  const BRep_Builder builder;
+  for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next()) {
+    const TopoDS_Face& face = TopoDS::Face(f.Current());
+    const BRepAdaptor_Surface surface(face, Standard_False);
+    for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) {
+      const TopoDS_Edge edge = TopoDS::Edge(e.Current().Oriented(TopAbs_FORWARD));
+      double from, to;
+      const Handle(Geom2d_Curve) on = BRep_Tool::CurveOnSurface(edge, face, from, to);
+      if (on.IsNull()) continue;
+      for (const bool isFirst : {true, false}) {
+        const TopoDS_Vertex vertex = isFirst ? TopExp::FirstVertex(edge) : TopExp::LastVertex(edge);
+        const gp_Pnt2d end = on->Value(isFirst ? from : to);
+        const double off = surface.Value(end.X(), end.Y()).Distance(BRep_Tool::Pnt(vertex));
+        // Twice, as two ends are compared with each other.
+        if (2 * off > BRep_Tool::Tolerance(vertex) && off < farthest)
+          builder.UpdateVertex(vertex, 2 * off + Precision::Confusion());
+      }
+    }
+  }
+}
+
 // Joins adjacent pieces of one surface. Returns a null shape if the solid cannot be made valid.
 TopoDS_Shape unified(const TopoDS_Shape& solids) {
   // mm: parameter curves may miss the vertices at their ends by rounding errors.
@@ -203,6 +230,7 @@ TopoDS_Shape unified(const TopoDS_Shape& solids) {
   for (const TopoDS_Shape& shape : {joined(solids), solids}) {
     TopTools_IndexedMapOfShape none;
     BOPTools_AlgoTools::CorrectTolerances(shape, none, kMaxTolerance);
+    if (!BRepCheck_Analyzer(shape).IsValid()) coverEnds(shape, kMaxNear);
     if (BRepCheck_Analyzer(shape).IsValid()) return shape;
     ShapeFix_Shape mender(shape);
     mender.Perform();
