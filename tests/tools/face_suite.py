@@ -26,6 +26,7 @@ import tempfile
 
 import numpy as np
 import shared_data
+from source_suite import kernel_module
 from supplier_suite import PATHS, box_of, is_clean, motion_rows, report_of, run
 
 COLUMNS = (
@@ -37,13 +38,12 @@ SAMPLE = 400
 
 
 def kernel():
-    for folder in ("/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib"):
-        if pathlib.Path(folder).is_dir() and folder not in sys.path:
-            sys.path.append(folder)
+    part = kernel_module()
+    if part is None:
+        sys.exit("FreeCAD not found")
     import FreeCAD
-    import Part
 
-    return FreeCAD, Part
+    return FreeCAD, part
 
 
 def is_facet(face):

@@ -230,7 +230,8 @@ TopoDS_Shape unified(const TopoDS_Shape& solids) {
   for (const TopoDS_Shape& shape : {joined(solids), solids}) {
     TopTools_IndexedMapOfShape none;
     BOPTools_AlgoTools::CorrectTolerances(shape, none, kMaxTolerance);
-    if (!BRepCheck_Analyzer(shape).IsValid()) coverEnds(shape, kMaxNear);
+    if (BRepCheck_Analyzer(shape).IsValid()) return shape;
+    coverEnds(shape, kMaxNear);
     if (BRepCheck_Analyzer(shape).IsValid()) return shape;
     ShapeFix_Shape mender(shape);
     mender.Perform();
@@ -267,6 +268,7 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
       if (!sweep.shape.IsNull()) return sweep;
     }
     for (Pieces& pieces : attempts) {
+      if (pieces.openEdges().empty()) continue;  // filling would change nothing
       pieces.fillGrooves();
       const AssembledSweep sweep = sweepOf(pieces);
       if (!sweep.shape.IsNull()) return sweep;
@@ -285,7 +287,7 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
     for (const bool cells : {true, false}) {
       if (!cells && !open.empty()) continue;
       const TopoDS_Shape solid = solidOf(cells ? pieces.aroundCells() : pieces.chosen());
-      if (!solid.IsNull()) return {solid, false, pieces.filled()};
+      if (!solid.IsNull()) return {solid, false};
     }
     if (open.empty() || open.size() == before) return {};
     before = open.size();

@@ -10,7 +10,8 @@ using Eigen::Vector3d;
 
 ContactCurves::ContactCurves(const BodySurface& surface, const StepPath& path)
     : surface_(surface), path_(path), along_(surface.axis) {
-  origin_ = surface.origin - surface.origin.dot(surface.axis) * surface.axis;
+  const Vector3d alongAxis = surface.origin.dot(surface.axis) * surface.axis;
+  origin_ = surface.isPlane ? alongAxis : Vector3d(surface.origin - alongAxis);
   if (!surface.isPlane) return;
   // The angular velocity is constant in coordinates of the body.
   across_ = surface.axis.cross(Moment(path, 0).angular);
@@ -18,7 +19,6 @@ ContactCurves::ContactCurves(const BodySurface& surface, const StepPath& path)
   if (size_ <= kNoSpeed) return;
   across_ /= size_;
   along_ = across_.cross(surface.axis);
-  origin_ = surface.axis * surface.axis.dot(surface.origin);
 }
 
 Vector3d ContactCurves::at(int curve, double w, double s) const {

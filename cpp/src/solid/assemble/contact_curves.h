@@ -39,7 +39,8 @@ class ContactCurves {
  private:
   const BodySurface& surface_;
   const StepPath& path_;
-  Eigen::Vector3d origin_, along_, across_;
+  Eigen::Vector3d origin_;  // foot of the perpendicular from the origin onto the plane or axis
+  Eigen::Vector3d along_, across_;
   double size_ = 0;  // of normal x angular
 };
 

@@ -21,10 +21,10 @@ void appendKeyCrossings(const ElementaryBody& body, const StepPath& before, cons
     };
     for (const double u : zerosOf(volume, edge.range)) append(edge.at(u));
   }
-  for (const BodyFace& face : body.faces) {
-    const BodySurface& surface = body.surfaces[face.surface];
+  for (std::size_t i = 0; i < body.surfaces.size(); ++i) {
+    const BodySurface& surface = body.surfaces[i];
     const ContactCurves curves(surface, before);
-    const Range w = curves.extent(body, face.surface);
+    const Range w = curves.extent(body, static_cast<int>(i));
     for (int curve = 0; curve < curves.count(); ++curve) {
       const auto speed = [&](double x) {
         const Vector3d p = curves.at(curve, x, 1);

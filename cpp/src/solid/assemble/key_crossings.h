@@ -1,5 +1,7 @@
-// Points at which surfaces of two motion steps are tangent, at the pose between the steps. Curves
-// of intersection end there. Units:   mm. Cost:    some hundred evaluations for each edge and face.
+// Points at which surfaces of two motion steps are tangent, at the pose between the steps. There,
+// curves of intersection end.
+// Units:   mm.
+// Cost:    some hundred evaluations for each edge and surface of the body.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

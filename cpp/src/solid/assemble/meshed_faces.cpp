@@ -95,13 +95,13 @@ void MeshedFaces::appendParts(const TopoDS_Face& face, const TopoDS_Edge& edge,
   whole.curve = BRep_Tool::CurveOnSurface(edge, face, whole.range[0], whole.range[1]);
   if (whole.curve.IsNull()) return;
   whole.isStraight = Geom2dAdaptor_Curve(whole.curve).GetType() == GeomAbs_Line;
-  const Range range{whole.range[0], whole.range[1]};
-  std::vector<double> ends{range.from};
+  std::vector<double> ends{whole.range[0]};
   if (!whole.isStraight) {
-    ends = zerosOf([&](double t) { return whole.curve->DN(t, 1).Y(); }, range);
-    ends.insert(ends.begin(), range.from);
+    const OfOne slope = [&](double t) { return whole.curve->DN(t, 1).Y(); };
+    const std::vector<double> turns = zerosOf(slope, {whole.range[0], whole.range[1]});
+    ends.insert(ends.end(), turns.begin(), turns.end());
   }
-  ends.push_back(range.to);
+  ends.push_back(whole.range[1]);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     BorderPart& part = to.emplace_back(whole);
     part.range = {ends[i], ends[i + 1]};
@@ -182,14 +182,8 @@ Jet MeshedFaces::jet(int f, const Vector2d& on) const {
 double MeshedFaces::BorderPart::uAt(double v) const {
   const double fraction = (v - ends[0].y()) / (ends[1].y() - ends[0].y());
   if (isStraight) return ends[0].x() + fraction * (ends[1].x() - ends[0].x());
-  constexpr int kHalvings = 50;
-  const bool isGrowing = ends[1].y() > ends[0].y();
-  double from = range[0], to = range[1];
-  for (int round = 0; round < kHalvings; ++round) {
-    const double middle = (from + to) / 2;
-    ((curve->Value(middle).Y() < v) == isGrowing ? from : to) = middle;
-  }
-  return curve->Value((from + to) / 2).X();
+  const OfOne below = [&](double t) { return v - curve->Value(t).Y(); };
+  return curve->Value(zeroBetween(below, range[0], range[1])).X();
 }
 
 bool MeshedFaces::isInFace(int f, const Vector2d& on) const {

@@ -101,7 +101,7 @@ double lengthOf(const std::vector<PointOnBoth>& points) {
 }  // namespace
 
 double uncertaintyOf(double sine) {
-  constexpr double kLargest = 1e-3;
+  constexpr double kLargest = 1e-3;  // mm
   return std::clamp(4 * kCurveBound / std::max(sine, kCurveBound), kSamePoint, kLargest);
 }
 
@@ -191,11 +191,11 @@ std::optional<PointOnBoth> SectionTracer::atBorder(int side, const TopoDS_Edge& 
   on[1 - side] = found->second;
   const PointOnBoth point = pointAt(vectorOf(curve.Value(found->first).XYZ()), on);
   const Vector3d along = vectorOf(curve.DN(found->first, 1).XYZ()).normalized();
-  return atCertainEvent(point, std::abs(along.dot(point.jets[1 - side].normal())));
+  return snappedToEvent(point, std::abs(along.dot(point.jets[1 - side].normal())));
 }
 
 // Returns the event at a point on a border, if it may be that point, otherwise the point.
-PointOnBoth SectionTracer::atCertainEvent(const PointOnBoth& point, double sine) const {
+PointOnBoth SectionTracer::snappedToEvent(const PointOnBoth& point, double sine) const {
   PointOnBoth result = point;
   double nearest = uncertaintyOf(sine);
   for (const Vector3d& event : events_) {
@@ -224,7 +224,7 @@ std::optional<Vector2d> SectionTracer::footOn(int side, Vector2d on, const Vecto
 
 bool SectionTracer::isShared(const PointOnBoth& point) const {
   return std::any_of(shared_.begin(), shared_.end(), [&](const SharedCurve& shared) {
-    if (point.sine > shared.largest) return false;
+    if (point.sine > shared.maxSine) return false;
     const GeomAPI_ProjectPointOnCurve foot(pointOf(point.at), shared.curve);
     return foot.NbPoints() > 0 && foot.LowerDistance() < shared.near;
   });

@@ -39,11 +39,12 @@ struct PointOnBoth {
   double sine = 0;  ///< of the angle between both faces
 };
 
-/// A curve that lies on two faces by construction.
+/// A curve that lies on two faces by construction. Points near it may belong to it, if the faces do
+/// not cross at a larger angle there.
 struct SharedCurve {
   Handle(Geom_Curve) curve;
-  double near;     ///< mm: points nearer than this may belong to it,
-  double largest;  ///< if the sine of the angle between the faces is smaller than this
+  double near;     ///< mm
+  double maxSine;  ///< of the angle between the faces
 };
 
 /// Returns the parameter of a curve and the parameters of a face at which the curve passes through
@@ -96,7 +97,7 @@ class SectionTracer {
   std::optional<PointOnBoth> atBorder(int side, const TopoDS_Edge& edge,
                                       const Eigen::Vector3d& near,
                                       const Eigen::Vector2d& onOther) const;
-  PointOnBoth atCertainEvent(const PointOnBoth& point, double sine) const;
+  PointOnBoth snappedToEvent(const PointOnBoth& point, double sine) const;
   std::optional<Eigen::Vector2d> footOn(int side, Eigen::Vector2d on,
                                         const Eigen::Vector3d& p) const;
   bool isShared(const PointOnBoth& point) const;

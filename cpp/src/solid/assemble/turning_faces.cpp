@@ -123,8 +123,8 @@ class TurningStep {
     return true;
   }
 
-  // Appends what an edge sweeps: a face for each span, all on one surface. Its parameters are that
-  // of the edge, and time.
+  // Appends what an edge sweeps: a face for each span. Its parameters are that of the edge, and
+  // time.
   bool appendSheet(int e) {
     const BodyEdge& edge = body_.edges[e];
     for (Span& span : spans_) span.sheets.push_back(-1);
@@ -237,9 +237,9 @@ class TurningStep {
     return true;
   }
 
-  const Graze* grazeOf(const Contact& contact, int f) const {
+  const Graze* grazeOf(const Contact& contact) const {
     for (const Graze& graze : grazes_) {
-      if (graze.surface == body_.faces[f].surface && graze.curve == contact.curve &&
+      if (graze.surface == body_.faces[contact.face].surface && graze.curve == contact.curve &&
           graze.s.from <= contact.s.from && graze.s.to >= contact.s.to)
         return &graze;
     }
@@ -249,7 +249,7 @@ class TurningStep {
   // Appends the curve in which what an edge sweeps continues into a grazing surface.
   bool appendContact(const Contact& contact) {
     const BodyEdge& edge = body_.edges[contact.edge];
-    const Graze* graze = grazeOf(contact, contact.face);
+    const Graze* graze = grazeOf(contact);
     if (graze == nullptr) return false;
     const ContactCurves& curves = curves_[graze->surface];
     const ZeroArc& arc = contact.arc;
@@ -365,6 +365,7 @@ class TurningStep {
       return slope(on, {stepW, 0}).cross(slope(on, {0, stepS})).dot(normal) /
              (stepW * stepS * motion_.length());
     };
+    bool hasFold = false;
     for (const ZeroArc& arc : zeroArcs(area, graze.w, graze.s, {1, motion_.length()})) {
       const TopoDS_Edge edge = fittedEdge([&](double t) { return exact(arc.at(t)); }, arc.range());
       const auto on = [&](double t) {
@@ -374,14 +375,15 @@ class TurningStep {
       if (edge.IsNull() || !addCurveOn(to_.faces[graze.face].face, edge, on, {1, 1}, arc.range()))
         continue;
       to_.folds.push_back({edge, {graze.face}});
-      appendCrossings(graze, area);
+      hasFold = true;
     }
+    if (hasFold) appendCrossings(graze, area);
   }
 
   // Appends the points at which paths of contact cross edges of regression.
   void appendCrossings(const Graze& graze, const OfTwo& area) {
     for (const Contact& contact : contacts_) {
-      if (grazeOf(contact, contact.face) != &graze) continue;
+      if (grazeOf(contact) != &graze) continue;
       const BodyEdge& edge = body_.edges[contact.edge];
       const auto onGraze = [&](double t) {
         const Vector2d on = contact.arc.at(t);

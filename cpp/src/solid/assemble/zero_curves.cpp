@@ -12,17 +12,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Returns the zero between two points at which f has different signs.
-double zeroBetween(const OfOne& f, double a, double b) {
-  constexpr int kHalvings = 60;
-  const bool isNegative = f(a) < 0;
-  for (int round = 0; round < kHalvings; ++round) {
-    const double middle = (a + b) / 2;
-    ((f(middle) < 0) == isNegative ? a : b) = middle;
-  }
-  return (a + b) / 2;
-}
-
 // The zeros on the lines of a grid, joined by the cells of the grid (marching squares).
 class ZeroGrid {
  public:
@@ -130,6 +119,16 @@ double advanceOf(const std::vector<Vector2d>& points, const Vector2d& direction)
 }
 
 }  // namespace
+
+double zeroBetween(const OfOne& f, double a, double b) {
+  constexpr int kHalvings = 60;
+  const bool isNegative = f(a) < 0;
+  for (int round = 0; round < kHalvings; ++round) {
+    const double middle = (a + b) / 2;
+    ((f(middle) < 0) == isNegative ? a : b) = middle;
+  }
+  return (a + b) / 2;
+}
 
 std::vector<double> zerosOf(const OfOne& f, Range range) {
   std::vector<double> zeros;

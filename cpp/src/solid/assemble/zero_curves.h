@@ -17,6 +17,9 @@ constexpr int kZeroSteps = 256;
 
 using OfOne = std::function<double(double)>;
 
+/// Returns the zero between two points. f is negative at one of them, and not at the other.
+double zeroBetween(const OfOne& f, double a, double b);
+
 /// Returns the zeros of a continuous function in the range, in order.
 std::vector<double> zerosOf(const OfOne& f, Range range);
 
