@@ -23,6 +23,7 @@ BodyMotion::BodyMotion(const ElementaryBody& body, const StepPath& path)
     length_ = std::max(length_, travel);
     shortest_ = std::min(shortest_, travel);
   }
+  for (std::size_t f = 0; f < body.faces.size(); ++f) slides_.push_back(isSliding(f));
 }
 
 double BodyMotion::speedOf(int f, const Vector3d& p, double s) const {
@@ -34,30 +35,30 @@ OfTwo BodyMotion::speedOn(const BodyEdge& edge, int f) const {
 }
 
 std::vector<ZeroArc> BodyMotion::contactsOf(const BodyEdge& edge, int f, Range s) const {
+  if (slides_[f]) return {};
   return zeroArcs(speedOn(edge, f), edge.range, s, {edge.scale, length_});
 }
 
-bool BodyMotion::doesSlide() const {
+// Returns whether a face moves only along itself.
+bool BodyMotion::isSliding(std::size_t f) const {
   constexpr int kTimes = 16, kPoints = 4;
-  for (std::size_t f = 0; f < body_.faces.size(); ++f) {
-    double largest = 0;
-    for (const int e : body_.faces[f].edges) {
-      const BodyEdge& edge = body_.edges[e];
-      for (int i = 0; i <= kTimes; ++i) {
-        for (int j = 0; j <= kPoints; ++j) {
-          const Vector3d p = edge.at(edge.range.at(static_cast<double>(j) / kPoints));
-          largest = std::max(
-              largest, std::abs(speedOf(static_cast<int>(f), p, static_cast<double>(i) / kTimes)));
-        }
+  double largest = 0;
+  for (const int e : body_.faces[f].edges) {
+    const BodyEdge& edge = body_.edges[e];
+    for (int i = 0; i <= kTimes; ++i) {
+      for (int j = 0; j <= kPoints; ++j) {
+        const Vector3d p = edge.at(edge.range.at(static_cast<double>(j) / kPoints));
+        largest = std::max(
+            largest, std::abs(speedOf(static_cast<int>(f), p, static_cast<double>(i) / kTimes)));
       }
     }
-    if (largest <= kNoSpeed * length_) return true;
   }
-  return false;
+  return largest <= kNoSpeed * length_;
 }
 
 bool BodyMotion::isOutline(const BodyEdge& edge) const {
   constexpr int kTimes = 128, kPoints = 16;
+  if (slidesAt(edge)) return false;
   for (int i = 0; i <= kTimes; ++i) {
     const double s = static_cast<double>(i) / kTimes;
     for (int j = 0; j <= kPoints; ++j) {
@@ -68,10 +69,29 @@ bool BodyMotion::isOutline(const BodyEdge& edge) const {
   return false;
 }
 
+std::optional<Vector3d> BodyMotion::planeOf(const BodyEdge& edge) const {
+  constexpr int kTimes = 16;
+  constexpr double kNoTurn = 1e-6, kFlat = 1e-9;  // the latter times the length of the step
+  if (!edge.isStraight) return std::nullopt;
+  const auto end = [&](double u, int i) { return at(edge.at(u), static_cast<double>(i) / kTimes); };
+  const auto along = [&](int i) -> Vector3d {
+    return (end(edge.range.to, i) - end(edge.range.from, i)).normalized();
+  };
+  const Vector3d turned = along(0).cross(along(kTimes / 2));
+  if (turned.norm() < kNoTurn) return std::nullopt;
+  const Vector3d normal = turned.normalized();
+  for (int i = 1; i <= kTimes; ++i) {
+    for (const double u : {edge.range.from, edge.range.to}) {
+      if (std::abs(normal.dot(end(u, i) - end(u, 0))) > kFlat * length_) return std::nullopt;
+    }
+  }
+  return normal;
+}
+
 std::vector<double> BodyMotion::pinches() const {
   std::vector<double> times{0, 1};
   for (const BodyEdge& edge : body_.edges) {
-    if (edge.faces[1] < 0 || !body_.isConvex(edge)) continue;
+    if (edge.faces[1] < 0 || !body_.isConvex(edge) || slidesAt(edge) || planeOf(edge)) continue;
     const OfTwo other = speedOn(edge, edge.faces[1]);
     for (const ZeroArc& arc : contactsOf(edge, edge.faces[0], {0, 1})) {
       for (const double t : zerosOf([&](double x) { return other(arc.at(x)); }, arc.range()))

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "motion/step_path.h"
@@ -28,12 +29,20 @@ class BodyMotion {
   /// Returns where a point of the body is, in world coordinates.
   Eigen::Vector3d at(const Eigen::Vector3d& p, double s) const { return path_.at(s).apply(p); }
 
+  /// Returns the normal of the plane in which a straight edge moves, in world coordinates; nothing
+  /// if it does not move in a plane, or does not turn in it.
+  std::optional<Eigen::Vector3d> planeOf(const BodyEdge& edge) const;
+
   /// Returns the speed n.v of a face along its normal, at points (u, s) of an edge.
   OfTwo speedOn(const BodyEdge& edge, int f) const;
-  /// Returns the curves on which this speed is zero.
+  /// Returns the curves on which this speed is zero; none for a face that slides.
   std::vector<ZeroArc> contactsOf(const BodyEdge& edge, int f, Range s) const;
-  /// Returns whether a face moves only along itself.
-  bool doesSlide() const;
+  /// Returns whether a face slides, that is, moves only along itself.
+  bool slides(int f) const { return slides_[f]; }
+  /// Returns whether a face at the edge slides. Such an edge sweeps no surface of its own.
+  bool slidesAt(const BodyEdge& edge) const {
+    return slides_[edge.faces[0]] || slides_[edge.faces[1]];
+  }
   /// Returns whether the edge is ever between a face that moves outward and one that moves inward.
   bool isOutline(const BodyEdge& edge) const;
   /// Returns the start and the end of the step, and between them the times at which a point of an
@@ -43,10 +52,12 @@ class BodyMotion {
 
  private:
   double speedOf(int f, const Eigen::Vector3d& p, double s) const;
+  bool isSliding(std::size_t f) const;
 
   const ElementaryBody& body_;
   const StepPath& path_;
   double length_ = 0, shortest_ = HUGE_VAL;
+  std::vector<char> slides_;  // by face
 };
 
 }  // namespace swept::step

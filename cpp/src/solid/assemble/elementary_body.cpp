@@ -12,6 +12,7 @@
 #include <cmath>
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
+#include <utility>
 
 #include "solid/assemble/kernel_geometry.h"
 
@@ -107,6 +108,7 @@ ElementaryBody::ElementaryBody(const TopoDS_Shape& body) : shape(withoutClosedFa
     edge.from = vertices.FindIndex(TopExp::FirstVertex(edge.shape)) - 1;
     edge.to = vertices.FindIndex(TopExp::LastVertex(edge.shape)) - 1;
     edge.curve = BRep_Tool::Curve(edge.shape, edge.range.from, edge.range.to);
+    edge.isStraight = BRepAdaptor_Curve(edge.shape).GetType() == GeomAbs_Line;
     edge.scale = edge.curve->DN(edge.range.from, 1).Magnitude();
     std::size_t side = 0;
     for (const TopoDS_Shape& owner : edgeMap(e)) {
@@ -121,17 +123,38 @@ Vector3d ElementaryBody::point(int vertex) const {
   return vectorOf(BRep_Tool::Pnt(TopoDS::Vertex(vertices(vertex + 1))).XYZ());
 }
 
-double ElementaryBody::convexity(const BodyEdge& edge) const {
-  const double middle = edge.range.at(0.5);
-  const Vector3d p = edge.at(middle);
-  for (TopExp_Explorer it(faces[edge.faces[1]].shape, TopAbs_EDGE); it.More(); it.Next()) {
+Vector3d ElementaryBody::intoFace(const BodyEdge& edge, int f, double u) const {
+  for (TopExp_Explorer it(faces[f].shape, TopAbs_EDGE); it.More(); it.Next()) {
     if (!it.Current().IsSame(edge.shape)) continue;
     const double sign = it.Current().Orientation() == TopAbs_REVERSED ? -1 : 1;
-    const Vector3d intoFace =
-        surfaceOf(edge.faces[1]).normalAt(p).cross(sign * edge.tangent(middle));
-    return -intoFace.dot(surfaceOf(edge.faces[0]).normalAt(p));
+    return surfaceOf(f).normalAt(edge.at(u)).cross(sign * edge.tangent(u));
   }
-  return 0;
+  return Vector3d::Zero();
+}
+
+double ElementaryBody::convexity(const BodyEdge& edge) const {
+  const double middle = edge.range.at(0.5);
+  const Vector3d normal = surfaceOf(edge.faces[0]).normalAt(edge.at(middle));
+  return -intoFace(edge, edge.faces[1], middle).dot(normal);
+}
+
+bool ElementaryBody::isCorner(int vertex, int f) const {
+  constexpr double kStraight = 1e-6;
+  // Of the edges of the face at the vertex: the directions away from it, and into the face.
+  std::vector<std::pair<Vector3d, Vector3d>> sides;
+  for (const int e : faces[f].edges) {
+    const BodyEdge& edge = edges[e];
+    if (edge.from == vertex)
+      sides.emplace_back(edge.tangent(edge.range.from), intoFace(edge, f, edge.range.from));
+    if (edge.to == vertex)
+      sides.emplace_back(-edge.tangent(edge.range.to), intoFace(edge, f, edge.range.to));
+  }
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (sides[i].first.dot(sides[j].second) > kStraight) return true;
+    }
+  }
+  return false;
 }
 
 bool ElementaryBody::isConvex(const BodyEdge& edge) const {

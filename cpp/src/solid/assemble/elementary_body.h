@@ -24,7 +24,8 @@ struct BodyEdge {
   TopoDS_Edge shape;
   int from = 0, to = 0;  ///< vertices
   Handle(Geom_Curve) curve;
-  Range range;       ///< of the parameter: mm on a line, rad on a circle
+  Range range;  ///< of the parameter: mm on a line, rad on a circle
+  bool isStraight = true;
   double scale = 1;  ///< mm per unit of the parameter
   std::array<int, 2> faces{-1, -1};
   Eigen::Vector3d at(double u) const;
@@ -66,6 +67,10 @@ struct ElementaryBody {
   /// Returns the sine of the angle by which the body is convex at the edge; negative if it is
   /// concave.
   double convexity(const BodyEdge& edge) const;
+  /// Returns the unit vector from a point of an edge into a face at the edge.
+  Eigen::Vector3d intoFace(const BodyEdge& edge, int f, double u) const;
+  /// Returns whether a plane face has an angle of less than 180 degrees at a vertex.
+  bool isCorner(int vertex, int f) const;
   /// Other edges sweep no surface of the envelope.
   bool isConvex(const BodyEdge& edge) const;
   /// Returns whether both faces of an edge have the same surface.

@@ -3,6 +3,8 @@
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2dAPI_InterCurveCurve.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <Message_ProgressScope.hxx>
 #include <TopExp.hxx>
@@ -55,7 +57,7 @@ bool isNear(const gp_Pnt& p, const TopoDS_Edge& edge, double distance) {
 class Finder {
  public:
   Finder(const std::vector<SweptFace>& faces, const Sides& sides)
-      : faces_(faces, kTriangleDeflection * sides.detail()), sides_(sides) {}
+      : given_(faces), faces_(faces, kTriangleDeflection * sides.detail()), sides_(sides) {}
 
   std::vector<SweptSection> find(const std::vector<SweptSection>& dividers,
                                  const std::vector<SweptSection>& folds,
@@ -69,6 +71,7 @@ class Finder {
     Message_ProgressScope scope(progress, "", 4);
     followChains(scope.Next());
     addPiercings(borders(), true, scope.Next());
+    addCrossings();
     addPiercings(dividers_, true, scope.Next());
     certain_ = events_.size();
     std::vector<FaceCurve> sections;
@@ -79,6 +82,10 @@ class Finder {
     std::vector<SweptSection> result;
     for (const FaceCurve& curve : dividers_) appendParts(curve, result);
     for (const FaceCurve& curve : sections) appendParts(curve, result);
+    for (std::size_t f = 0; f < given_.size(); ++f) {
+      for (const TopoDS_Edge& edge : given_[f].inner)
+        appendParts({edge, {static_cast<int>(f)}, true}, result);
+    }
     return result;
   }
 
@@ -113,7 +120,7 @@ class Finder {
     // mm: where faces cross at a common edge, Newton's method finds points of the edge exactly;
     // where they are tangent along a divider, it does not.
     constexpr double kCrossing = 1e-5, kTangent = 1e-3;
-    constexpr double kAnySine = 1, kTangentSine = 2e-3;
+    constexpr double kAnySine = HUGE_VAL, kTangentSine = 2e-3;
     std::vector<SharedCurve> shared;
     std::vector<std::pair<int, TopoDS_Edge>> folds;
     for (const int e : faces_.edgesOf(a)) {
@@ -236,6 +243,32 @@ class Finder {
     }
   }
 
+  // Finds where borders of other faces cross each other on a face.
+  void addCrossings() {
+    for (std::size_t f = 0; f < given_.size(); ++f) {
+      std::vector<Handle(Geom2d_Curve)> curves;
+      for (const TopoDS_Edge& edge : given_[f].inner) {
+        double from, to;
+        const Handle(Geom2d_Curve) whole =
+            BRep_Tool::CurveOnSurface(edge, given_[f].face, from, to);
+        curves.push_back(new Geom2d_TrimmedCurve(whole, from, to));
+        for (std::size_t i = 0; i + 1 < curves.size(); ++i)
+          addCrossings(static_cast<int>(f), curves[i], curves.back());
+      }
+    }
+  }
+
+  void addCrossings(int face, const Handle(Geom2d_Curve) & a, const Handle(Geom2d_Curve) & b) {
+    constexpr double kExact = 1e-9;  // mm
+    const Geom2dAPI_InterCurveCurve crossing(a, b, kExact);
+    for (int i = 1; i <= crossing.NbPoints(); ++i) {
+      const IntRes2d_IntersectionPoint& point = crossing.Intersector().Point(i);
+      const gp_Vec2d u = a->DN(point.ParamOnFirst(), 1), v = b->DN(point.ParamOnSecond(), 1);
+      const Vector2d on(point.Value().X(), point.Value().Y());
+      addEvent(faces_.jet(face, on).at, std::abs(u.Crossed(v)) / (u.Magnitude() * v.Magnitude()));
+    }
+  }
+
   // Returns the parameters at which a curve is cut, with those of its ends.
   std::vector<double> cutsOf(const FaceCurve& curve) const {
     constexpr int kPieces = 64;
@@ -323,8 +356,10 @@ class Finder {
     if (curve.isDivider) {
       const Vector3d normal = normals.front(), side = normal.cross(tangent).normalized();
       int inside = 0;
-      for (const Vector3d& off : {normal, Vector3d(-normal), side, Vector3d(-side)})
-        inside += contains(p + d * off);
+      for (const double up : {-1, 1}) {
+        for (const double beside : {-1, 1})
+          inside += contains(p + d * (up * normal + beside * side));
+      }
       return inside > 0 && inside < 4;
     }
     // Samples cannot tell whether two faces that are nearly tangent form an edge.
@@ -352,6 +387,7 @@ class Finder {
   // mm: curves of the same two faces that are nearer than this are one.
   static constexpr double kOneCurve = 1e-4;
 
+  const std::vector<SweptFace>& given_;
   const MeshedFaces faces_;
   const Sides& sides_;
   std::vector<FaceCurve> dividers_;

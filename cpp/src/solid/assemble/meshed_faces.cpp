@@ -79,9 +79,13 @@ MeshedFaces::MeshedFaces(const std::vector<SweptFace>& faces, double deflection)
   constexpr double kAngle = 0.1;
   BRepMesh_IncrementalMesh(all, deflection, Standard_False, kAngle);
   TopExp::MapShapes(all, TopAbs_EDGE, edges_);
+  for (const SweptFace& face : faces) {
+    for (const TopoDS_Edge& edge : face.inner) edges_.Add(edge);
+  }
   std::map<std::array<long long, 3>, int> nodes;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     faces_.push_back(meshOf(faces[f].face, nodes));
+    for (const TopoDS_Edge& edge : faces[f].inner) faces_[f].edges.insert(edges_.FindIndex(edge));
     for (std::size_t t = 0; t < faces_[f].triangles.size(); ++t)
       triangles_.emplace_back(static_cast<int>(f), static_cast<int>(t));
   }
@@ -159,8 +163,8 @@ std::vector<Vector3d> MeshedFaces::commonVertices(int f, int g) const {
                                     [&](int e) { return hasEdge(g, e); });
   if (!haveEdge) return common;
   TopTools_IndexedMapOfShape vertices, others;
-  TopExp::MapShapes(face(f), TopAbs_VERTEX, vertices);
-  TopExp::MapShapes(face(g), TopAbs_VERTEX, others);
+  for (const int e : faces_[f].edges) TopExp::MapShapes(edges_(e), TopAbs_VERTEX, vertices);
+  for (const int e : faces_[g].edges) TopExp::MapShapes(edges_(e), TopAbs_VERTEX, others);
   for (int v = 1; v <= others.Extent(); ++v) {
     if (vertices.Contains(others(v)))
       common.push_back(vectorOf(BRep_Tool::Pnt(TopoDS::Vertex(others(v))).XYZ()));

@@ -32,6 +32,8 @@ struct SweptFace {
   TopoDS_Face face;
   /// Faces of one group are faces of the body at one pose. They do not intersect each other.
   int group = kAlone;
+  /// Borders of other faces that lie on this one.
+  std::vector<TopoDS_Edge> inner = {};
 };
 
 struct SweptFaces {

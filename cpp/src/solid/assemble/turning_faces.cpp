@@ -21,6 +21,7 @@
 #include "solid/assemble/contact_curves.h"
 #include "solid/assemble/elementary_body.h"
 #include "solid/assemble/fitted_edge.h"
+#include "solid/assemble/fixed_planes.h"
 #include "solid/assemble/kernel_geometry.h"
 #include "solid/assemble/key_crossings.h"
 #include "solid/assemble/zero_curves.h"
@@ -37,6 +38,8 @@ using Eigen::Vector3d;
 constexpr double kSurfaceBound = 2e-9;
 /// A cylinder whose axis nearly moves along itself grazes in a surface with some 3,000 poles.
 constexpr std::size_t kMaxTurningPoles = 10000;
+constexpr double kSameTime = 1e-9;
+constexpr double kOneStep = 1.0 / kZeroSteps;  // between the times at which contact is tested
 
 // The body between two times of a step: the copies there, what the edges sweep between them.
 struct Span {
@@ -66,15 +69,23 @@ struct Graze {
 
 class TurningStep {
  public:
-  TurningStep(const ElementaryBody& body, const StepPath& path, int pose, TurningFaces& to)
-      : body_(body), path_(path), motion_(body, path), pose_(pose), to_(to) {
+  TurningStep(const ElementaryBody& body, const StepPath& path, const BodyMotion& motion,
+              TurningFaces& to)
+      : body_(body), path_(path), motion_(motion), to_(to) {
     for (const BodySurface& surface : body.surfaces) curves_.emplace_back(surface, path);
   }
 
   // Returns false if there is no regular surface for a face or an edge.
-  bool append(const PosedBody& start, const PosedBody& end) {
+  // `caps`: by pose and face, indices of candidates.
+  bool append(const PosedBody& start, const PosedBody& end,
+              const std::array<const std::vector<int>*, 2>& caps) {
     constexpr double kNoTravel = 1e-5;  // mm
-    if (motion_.shortest() < kNoTravel || motion_.doesSlide()) return false;
+    if (motion_.shortest() < kNoTravel) return false;
+    for (std::size_t f = 0; f < body_.faces.size(); ++f) {
+      const bool canSlide = body_.surfaceOf(static_cast<int>(f)).isPlane;
+      if (motion_.slides(static_cast<int>(f)) && !canSlide) return false;
+    }
+    caps_ = caps;
     const std::vector<double> times = motion_.pinches();
     for (std::size_t i = 1; i + 1 < times.size(); ++i)
       between_.emplace_back(body_.shape, path_.poseAt(times[i]));
@@ -95,6 +106,9 @@ class TurningStep {
       }
     }
     for (const Contact& contact : contacts_) {
+      // A plane in which an edge moves is cut by the grazing surface itself.
+      const BodyEdge& edge = body_.edges[contact.edge];
+      if (motion_.slidesAt(edge) || motion_.planeOf(edge)) continue;
       if (!appendContact(contact)) return false;
     }
     for (const Graze& graze : grazes_) {
@@ -105,6 +119,28 @@ class TurningStep {
       appendRegression(graze);
     }
     return true;
+  }
+
+  // Adds the curves that divide planes to these planes. `step`: index of this step.
+  void addPathsTo(FixedPlanes& planes, std::size_t step) const {
+    const auto add = [&](int plane, int vertex) {
+      for (const Span& span : spans_) planes.add(plane, span.paths[vertex]);
+    };
+    for (std::size_t f = 0; f < body_.faces.size(); ++f) {
+      if (!motion_.slides(static_cast<int>(f))) continue;
+      for (const int e : body_.faces[f].edges) {
+        for (const int v : {body_.edges[e].from, body_.edges[e].to}) {
+          if (body_.isCorner(v, static_cast<int>(f))) add((*caps_[0])[f], v);
+        }
+      }
+    }
+    for (std::size_t e = 0; e < body_.edges.size(); ++e) {
+      const int plane = planes.planeOfEdge(step, e);
+      if (plane < 0) continue;
+      planes.add(plane, spans_.front().start->of(body_.edges[e]));
+      planes.add(plane, spans_.back().end->of(body_.edges[e]));
+      for (const int v : {body_.edges[e].from, body_.edges[e].to}) add(plane, v);
+    }
   }
 
  private:
@@ -129,13 +165,12 @@ class TurningStep {
     const BodyEdge& edge = body_.edges[e];
     for (Span& span : spans_) span.sheets.push_back(-1);
     if (edge.faces[1] < 0) return false;
-    if (!body_.isConvex(edge) || !motion_.isOutline(edge)) return true;
-    const bool isLine = edge.scale == 1;
+    if (!body_.isConvex(edge) || !motion_.isOutline(edge) || motion_.planeOf(edge)) return true;
     const Knots line(1, {edge.range.from, edge.range.to});
     const auto fitted =
         fitSheet([&](double u, double t) { return motion_.at(edge.at(u), t / motion_.length()); },
-                 edge.range, {0, motion_.length()}, isLine ? &line : nullptr, kSurfaceBound,
-                 kMaxTurningPoles);
+                 edge.range, {0, motion_.length()}, edge.isStraight ? &line : nullptr,
+                 kSurfaceBound, kMaxTurningPoles);
     if (!fitted) return false;
     for (Span& span : spans_) {
       // The whole surface may intersect itself. The kernel would find points on the wrong part.
@@ -197,6 +232,14 @@ class TurningStep {
     }
   }
 
+  // Returns whether the whole contact curve meets the border of its face at these times. So it
+  // does if the body moves in a plane: the contact curve is orthogonal to this plane, and meets an
+  // edge that is also orthogonal to it at one time. A grazing surface that went on beyond this
+  // time would be nearly the same as what the edge sweeps.
+  bool isWholeLine(const Contact& contact) const {
+    return contact.s.length() < kSameTime || motion_.slidesAt(body_.edges[contact.edge]);
+  }
+
   // Appends the surfaces that a contact curve of a surface of the body sweeps, for the times at
   // which it touches a face.
   bool appendGrazes(int surface, int curve) {
@@ -205,21 +248,22 @@ class TurningStep {
     const Range w = curves.extent(body_, surface).grown(kWider);
     std::vector<Range> times;
     for (const Contact& contact : contacts_) {
-      if (body_.faces[contact.face].surface == surface && contact.curve == curve)
-        times.push_back({std::max(0.0, contact.s.from - 1.0 / kZeroSteps),
-                         std::min(1.0, contact.s.to + 1.0 / kZeroSteps)});
+      if (body_.faces[contact.face].surface != surface || contact.curve != curve) continue;
+      const double wider = isWholeLine(contact) ? 0 : kOneStep;
+      times.push_back({std::max(0.0, contact.s.from - wider), std::min(1.0, contact.s.to + wider)});
     }
     std::sort(times.begin(), times.end(),
               [](const Range& a, const Range& b) { return a.from < b.from; });
     std::vector<Range> joined;
     for (const Range& s : times) {
-      if (joined.empty() || s.from > joined.back().to) {
+      if (joined.empty() || s.from > joined.back().to + kOneStep) {
         joined.push_back(s);
       } else {
         joined.back().to = std::max(joined.back().to, s.to);
       }
     }
     for (const Range& s : joined) {
+      if (s.length() < kSameTime) continue;
       const Knots straight(1, {w.from, w.to});
       const auto fitted = fitSheet(
           [&](double x, double t) {
@@ -316,7 +360,7 @@ class TurningStep {
     const ContactCurves& curves = curves_[graze.surface];
     const BodySurface& surface = body_.surfaces[graze.surface];
     const auto exact = [&](double x) { return motion_.at(curves.at(graze.curve, x, time), time); };
-    const int cap = (pose_ + time) * static_cast<int>(body_.faces.size()) + f;
+    const int cap = (*caps_[time])[f];
     TopoDS_Edge edge;
     if (curves.areStraight()) {
       const BRep_Builder builder;
@@ -399,35 +443,71 @@ class TurningStep {
 
   const ElementaryBody& body_;
   const StepPath& path_;
-  const BodyMotion motion_;
-  const int pose_;  // index of the first pose
+  const BodyMotion& motion_;
   TurningFaces& to_;
-  std::vector<ContactCurves> curves_;  // by surface of the body
+  std::array<const std::vector<int>*, 2> caps_{};  // at the start and the end
+  std::vector<ContactCurves> curves_;              // by surface of the body
   std::vector<PosedBody> between_;
   std::vector<Span> spans_;
   std::vector<Contact> contacts_;
   std::vector<Graze> grazes_;
 };
 
+// Returns the largest distance of a point of the sweep from the origin, or more.
+double reachOf(const ElementaryBody& body, const std::vector<StepPath>& paths) {
+  constexpr int kTimes = 16, kPoints = 8;
+  constexpr double kBetween = 1.1;  // samples may miss the farthest point
+  double reach = 0;
+  for (const BodyEdge& edge : body.edges) {
+    for (const StepPath& path : paths) {
+      for (int i = 0; i <= kTimes; ++i) {
+        for (int j = 0; j <= kPoints; ++j) {
+          const Vector3d p = edge.at(edge.range.at(static_cast<double>(j) / kPoints));
+          reach = std::max(reach, path.at(static_cast<double>(i) / kTimes).apply(p).norm());
+        }
+      }
+    }
+  }
+  return kBetween * reach;
+}
+
 }  // namespace
 
 std::optional<TurningFaces> turningFaces(const TopoDS_Shape& shape, const Trajectory& trajectory) {
   const ElementaryBody body(shape);
-  TurningFaces result;
-  std::vector<PosedBody> posed;
-  for (std::size_t k = 0; k < trajectory.poses.size(); ++k) {
-    posed.emplace_back(body.shape, trajectory.poses[k]);
-    for (const BodyFace& face : body.faces)
-      result.faces.push_back({posed.back().of(face), static_cast<int>(k)});
-  }
+  const std::vector<Pose>& poses = trajectory.poses;
   std::vector<StepPath> paths;
-  for (std::size_t k = 0; k + 1 < trajectory.poses.size(); ++k)
-    paths.emplace_back(trajectory.poses[k], trajectory.poses[k + 1], trajectory.interpolation);
+  std::vector<BodyMotion> motions;
+  paths.reserve(poses.size());
+  for (std::size_t k = 0; k + 1 < poses.size(); ++k) {
+    paths.emplace_back(poses[k], poses[k + 1], trajectory.interpolation);
+    motions.emplace_back(body, paths.back());
+  }
+  FixedPlanes planes(body, poses, motions);
+  TurningFaces result;
+  result.faces.resize(planes.count());
+  std::vector<PosedBody> posed;
+  std::vector<std::vector<int>> caps;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    posed.emplace_back(body.shape, poses[k]);
+    std::vector<int>& of = caps.emplace_back();
+    for (std::size_t f = 0; f < body.faces.size(); ++f) {
+      const int plane = planes.planeOf(k, f);
+      of.push_back(plane >= 0 ? plane : static_cast<int>(result.faces.size()));
+      if (plane < 0) result.faces.push_back({posed[k].of(body.faces[f]), static_cast<int>(k), {}});
+      for (const int e : body.faces[f].edges) {
+        if (plane >= 0) planes.add(plane, posed[k].of(body.edges[e]));
+      }
+    }
+  }
   for (std::size_t k = 0; k < paths.size(); ++k) {
-    TurningStep step(body, paths[k], static_cast<int>(k), result);
-    if (!step.append(posed[k], posed[k + 1])) return std::nullopt;
+    TurningStep step(body, paths[k], motions[k], result);
+    if (!step.append(posed[k], posed[k + 1], {&caps[k], &caps[k + 1]})) return std::nullopt;
+    step.addPathsTo(planes, k);
     if (k > 0) appendKeyCrossings(body, paths[k - 1], paths[k], result.crossings);
   }
+  const double reach = reachOf(body, paths);
+  for (std::size_t i = 0; i < planes.count(); ++i) result.faces[i] = planes.candidate(i, reach);
   return result;
 }
 
