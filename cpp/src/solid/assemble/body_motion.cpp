@@ -2,6 +2,7 @@
 #include "solid/assemble/body_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "solid/sweep/contact.h"
@@ -35,9 +36,36 @@ OfTwo BodyMotion::speedOn(const BodyEdge& edge, int f) const {
 }
 
 std::vector<ZeroArc> BodyMotion::contactsOf(const BodyEdge& edge, int f, Range s) const {
+  constexpr int kTimes = 8;
+  constexpr double kInside = 1e-6;  // of the range
   if (slides_[f]) return {};
-  return zeroArcs(speedOn(edge, f), edge.range, s, {edge.scale, length_});
+  const OfTwo speed = speedOn(edge, f);
+  const auto isZero = [&](double u) {
+    double largest = 0;
+    for (int i = 0; i <= kTimes; ++i)
+      largest = std::max(largest, std::abs(speed({u, s.at(static_cast<double>(i) / kTimes)})));
+    return largest <= kNoSpeed * length_;
+  };
+  const Vector2d scale(edge.scale, length_);
+  // An end of the edge may be a point of contact all the time. Rounding errors then decide on which
+  // side of the end the zeros lie.
+  const std::array<double, 2> ends{edge.range.from, edge.range.to};
+  const std::array<bool, 2> isContact{isZero(ends[0]), isZero(ends[1])};
+  if (isContact[0] && isContact[1] && isZero(edge.range.at(0.5))) return {};
+  Range inner = edge.range;
+  if (isContact[0]) inner.from += kInside * edge.range.length();
+  if (isContact[1]) inner.to -= kInside * edge.range.length();
+  std::vector<ZeroArc> arcs = zeroArcs(speed, inner, s, scale);
+  for (const int k : {0, 1}) {
+    if (!isContact[k]) continue;
+    const std::vector<Vector2d> points{Vector2d(ends[k], s.from).cwiseProduct(scale),
+                                       Vector2d(ends[k], s.to).cwiseProduct(scale)};
+    arcs.emplace_back(speed, scale, Vector2d(0, 1), points);
+  }
+  return arcs;
 }
+
+bool BodyMotion::doesTurn() const { return Moment(path_, 0).angular.norm() > kNoSpeed; }
 
 // Returns whether a face moves only along itself.
 bool BodyMotion::isSliding(std::size_t f) const {
@@ -63,7 +91,8 @@ bool BodyMotion::isOutline(const BodyEdge& edge) const {
     const double s = static_cast<double>(i) / kTimes;
     for (int j = 0; j <= kPoints; ++j) {
       const Vector3d p = edge.at(edge.range.at(static_cast<double>(j) / kPoints));
-      if (speedOf(edge.faces[0], p, s) * speedOf(edge.faces[1], p, s) < 0) return true;
+      const double a = speedOf(edge.faces[0], p, s), b = speedOf(edge.faces[1], p, s);
+      if (std::min(a, b) < -kNoSpeed * length_ && std::max(a, b) > kNoSpeed * length_) return true;
     }
   }
   return false;

@@ -37,6 +37,7 @@ class BodyMotion {
   OfTwo speedOn(const BodyEdge& edge, int f) const;
   /// Returns the curves on which this speed is zero; none for a face that slides.
   std::vector<ZeroArc> contactsOf(const BodyEdge& edge, int f, Range s) const;
+  bool doesTurn() const;
   /// Returns whether a face slides, that is, moves only along itself.
   bool slides(int f) const { return slides_[f]; }
   /// Returns whether a face at the edge slides. Such an edge sweeps no surface of its own.

@@ -12,11 +12,10 @@ ContactCurves::ContactCurves(const BodySurface& surface, const StepPath& path)
     : surface_(surface), path_(path), along_(surface.axis) {
   const Vector3d alongAxis = surface.origin.dot(surface.axis) * surface.axis;
   origin_ = surface.isPlane ? alongAxis : Vector3d(surface.origin - alongAxis);
-  if (!surface.isPlane) return;
   // The angular velocity is constant in coordinates of the body.
   across_ = surface.axis.cross(Moment(path, 0).angular);
   size_ = across_.norm();
-  if (size_ <= kNoSpeed) return;
+  if (!surface.isPlane || size_ <= kNoSpeed) return;
   across_ /= size_;
   along_ = across_.cross(surface.axis);
 }

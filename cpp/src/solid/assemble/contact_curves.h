@@ -24,7 +24,8 @@ class ContactCurves {
 
   /// Returns how many curves there are. A plane that keeps its direction has none.
   int count() const { return surface_.isPlane ? (size_ > kNoSpeed ? 1 : 0) : 2; }
-  bool areStraight() const { return surface_.isPlane; }
+  /// Those of a cylinder are parallel to its axis if the body turns about a parallel one.
+  bool areStraight() const { return surface_.isPlane || size_ <= kNoSpeed; }
   /// Returns a point of a curve in coordinates of the body. `w`: mm, position along the line or the
   /// axis.
   Eigen::Vector3d at(int curve, double w, double s) const;
@@ -41,7 +42,7 @@ class ContactCurves {
   const StepPath& path_;
   Eigen::Vector3d origin_;  // foot of the perpendicular from the origin onto the plane or axis
   Eigen::Vector3d along_, across_;
-  double size_ = 0;  // of normal x angular
+  double size_ = 0;  // of axis x angular
 };
 
 }  // namespace swept::step

@@ -56,6 +56,11 @@ Vector3d BodySurface::normalAt(const Vector3d& p) const {
   return outward * (off - off.dot(axis) * axis).normalized();
 }
 
+double BodySurface::distanceTo(const Vector3d& p) const {
+  const Vector3d off = p - origin;
+  return isPlane ? off.dot(axis) : off.cross(axis).norm() - radius;
+}
+
 Vector2d BodySurface::parametersOf(const Vector3d& p, double angle) const {
   const Vector3d off = p - origin;
   if (isPlane) return {off.dot(x), off.dot(y)};

@@ -35,13 +35,18 @@ struct BodyEdge {
 /// A plane or a cylinder.
 struct BodySurface {
   bool isPlane = true;
-  Eigen::Vector3d origin;      ///< a point of the plane, or of the axis
-  Eigen::Vector3d x, y, axis;  ///< orthogonal unit vectors; `axis`: normal of the plane
+  /// A point of the plane, or of the axis.
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  /// Orthogonal unit vectors; `axis`: normal of the plane.
+  Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
+                  axis = Eigen::Vector3d::UnitZ();
   double radius = 0;
   double outward = 1;  ///< -1 if `axis`, or the direction away from it, points into the body
 
   /// Returns the unit vector that points away from the body.
   Eigen::Vector3d normalAt(const Eigen::Vector3d& p) const;
+  /// mm, along `axis`, or away from it.
+  double distanceTo(const Eigen::Vector3d& p) const;
   /// Returns the kernel's parameters of a point of the surface. On a cylinder, the angle is within
   /// pi of the given one.
   Eigen::Vector2d parametersOf(const Eigen::Vector3d& p, double angle) const;

@@ -14,6 +14,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -21,6 +22,8 @@
 #include <vector>
 
 #include "solid/assemble/interpolate_curve.h"
+#include "solid/assemble/kernel_geometry.h"
+#include "solid/carrier/fit_spline.h"
 
 namespace swept::step {
 namespace {
@@ -38,6 +41,16 @@ class FaceAtEdge {
     double from, to;
     curve_ = BRep_Tool::CurveOnSurface(edge, face, from, to);
   }
+  /// Returns whether the curve on the face is exact already.
+  bool isOn(const BRepAdaptor_Curve& edge) const {
+    constexpr int kPoints = 100;
+    const double from = edge.FirstParameter(), step = (edge.LastParameter() - from) / kPoints;
+    for (int i = 0; i <= kPoints; ++i) {
+      const double t = from + i * step;
+      if (at(curve_->Value(t)).Distance(edge.Value(t)) > kCurveBound) return false;
+    }
+    return true;
+  }
   bool isKnown() const { return !curve_.IsNull(); }
   bool isSpline() const { return !Handle(Geom2d_BSplineCurve)::DownCast(curve_).IsNull(); }
 
@@ -46,12 +59,26 @@ class FaceAtEdge {
   void start(double t) { at_ = curve_->Value(t); }
   /// Returns the distance of the point from the surface, along the normal there.
   double distance(const gp_Pnt& p, gp_Vec& normal) {
+    constexpr int kRounds = 2;  // the kernel stops before rounding errors
     at_ = foot_->NextValueOfUV(at_, p, Precision::Confusion());
     gp_Pnt foot;
-    surface_->D1(at_.X(), at_.Y(), foot, alongU_, alongV_);
+    for (int round = 0; round <= kRounds; ++round) {
+      surface_->D1(at_.X(), at_.Y(), foot, alongU_, alongV_);
+      if (round < kRounds) at_.Translate(parametersAlong(gp_Vec(foot, p), alongU_, alongV_));
+    }
     normal = alongU_.Crossed(alongV_);
     if (normal.Magnitude() > gp::Resolution()) normal.Normalize();
     return gp_Vec(p, foot).Dot(normal);
+  }
+  /// Returns the parameters of the last foot point.
+  const gp_Pnt2d& foot() const { return at_; }
+  /// Returns the lengths of the derivatives of the surface at a point of the edge.
+  Eigen::Vector2d scaleAt(double t) const {
+    const gp_Pnt2d on = curve_->Value(t);
+    gp_Pnt p;
+    gp_Vec u, v;
+    surface_->D1(on.X(), on.Y(), p, u, v);
+    return {std::max(u.Magnitude(), gp::Resolution()), std::max(v.Magnitude(), gp::Resolution())};
   }
   /// Returns the parameters of the last foot point, and how they change along the tangent.
   std::pair<gp_Pnt2d, gp_Vec2d> parameters(const gp_Vec& tangent) const {
@@ -67,92 +94,92 @@ class FaceAtEdge {
 };
 
 struct ExactSection {
-  Handle(Geom_BSplineCurve) curve;
-  std::array<Handle(Geom2d_BSplineCurve), 2> onSides;
+  Handle(Geom_Curve) curve;
+  std::array<Handle(Geom2d_Curve), 2> onSides;
+  double length;  // of the range of parameters, which starts at 0
 };
 
 class Section {
  public:
   Section(const TopoDS_Edge& edge, const TopoDS_Face& a, const TopoDS_Face& b)
-      : curve_(edge), sides_{FaceAtEdge(edge, a), FaceAtEdge(edge, b)} {}
+      : curve_(edge),
+        range_{curve_.FirstParameter(), curve_.LastParameter()},
+        sides_{FaceAtEdge(edge, a), FaceAtEdge(edge, b)} {}
 
   /// Returns nothing if the edge is a line or circle, or if the faces do not cross.
   std::optional<ExactSection> exact() {
+    constexpr double kSpineBound = 1e-4;  // times the length
+    constexpr double kBound = 1e-8;       // mm
     if (curve_.GetType() != GeomAbs_BSplineCurve || !sides_[0].isKnown() || !sides_[1].isKnown())
       return std::nullopt;
-    constexpr int kPieces = 16, kRounds = 6;
-    const double from = curve_.FirstParameter(), to = curve_.LastParameter();
-    std::vector<double> parameters;
-    for (int i = 0; i <= kPieces; ++i) parameters.push_back(from + (to - from) * i / kPieces);
-    for (int round = 0; round < kRounds; ++round) {
-      std::vector<CurvePoint> points;
-      std::array<std::vector<CurvePoint2d>, 2> onSides;
-      for (const double t : parameters) {
-        const auto point = pointNear(t, curve_.Value(t));
-        if (!point) return std::nullopt;
-        points.push_back(*point);
-        for (const int k : {0, 1}) {
-          const auto [at, tangent] = sides_[k].parameters(point->tangent);
-          onSides[k].push_back({at, tangent});
-        }
-      }
-      std::vector<double> lengths;
-      ExactSection result{interpolated(points, lengths), {}};
-      for (const int k : {0, 1}) result.onSides[k] = interpolated(onSides[k], lengths);
-      if (result.curve.IsNull() || result.onSides[0].IsNull() || result.onSides[1].IsNull())
-        return std::nullopt;
-      std::vector<double> finer;
-      for (std::size_t i = 0; i < parameters.size(); ++i) {
-        finer.push_back(parameters[i]);
-        if (i + 1 == parameters.size()) break;
-        const double t = (parameters[i] + parameters[i + 1]) / 2;
-        if (!isExact(result, t, (lengths[i] + lengths[i + 1]) / 2)) finer.push_back(t);
-      }
-      if (finer.size() == parameters.size()) return result;
-      parameters = std::move(finer);
-    }
-    return std::nullopt;
+    // The parameter of the new curve is that of a smooth curve nearby. The point at a parameter
+    // lies in the plane across this curve. (The given curve consists of cubics.)
+    const double length = curve_.Value(range_.from).Distance(curve_.Value(range_.at(0.5))) +
+                          curve_.Value(range_.at(0.5)).Distance(curve_.Value(range_.to));
+    const auto spine = fitSpline([&](double t) { return vectorOf(curve_.Value(t).XYZ()); }, range_,
+                                 kSpineBound * length);
+    if (!spine) return std::nullopt;
+    spine_ = kernelCurve(*spine);
+    std::array<Eigen::Vector2d, 2> scales;
+    for (const int k : {0, 1}) scales[k] = sides_[k].scaleAt(range_.at(0.5));
+    const auto fitted = fitSplines(
+        [&](double t) -> Eigen::RowVectorXd {
+          Eigen::RowVectorXd row = Eigen::RowVectorXd::Constant(9, NAN);
+          const auto point = pointAt(t);
+          if (!point) return row;
+          row.segment<3>(0) = vectorOf(point->XYZ()).transpose();
+          for (const int k : {0, 1}) {
+            const gp_Pnt2d& at = sides_[k].foot();
+            row.segment<3>(3 + 3 * k) << at.X() * scales[k].x(), at.Y() * scales[k].y(), 0;
+          }
+          return row;
+        },
+        range_, kBound);
+    if (!fitted) return std::nullopt;
+    return ExactSection{
+        kernelCurve(fitted->at(0)),
+        {kernelCurveOn(fitted->at(1), scales[0]), kernelCurveOn(fitted->at(2), scales[1])},
+        range_.length()};
   }
 
  private:
-  bool isExact(const ExactSection& section, double t, double length) {
-    const gp_Pnt p = section.curve->Value(length);
-    for (const int k : {0, 1}) {
-      sides_[k].start(t);
-      gp_Vec normal;
-      if (std::abs(sides_[k].distance(p, normal)) > kCurveBound) return false;
-      const gp_Pnt2d at = section.onSides[k]->Value(length);
-      if (sides_[k].at(at).Distance(p) > kCurveBound) return false;
-    }
-    return true;
-  }
-
-  // Returns the point of both surfaces near p, and the tangent of the curve there.
-  std::optional<CurvePoint> pointNear(double t, gp_Pnt p) {
+  // Returns the point of both surfaces in the plane across the spine. The sides then know its foot
+  // points.
+  std::optional<gp_Pnt> pointAt(double t) {
+    constexpr int kRounds = 10;
+    constexpr double kExact = 1e-11;  // mm
+    gp_Pnt middle;
+    gp_Vec forward;
+    spine_->D1(t - range_.from, middle, forward);
+    if (forward.Magnitude() < gp::Resolution()) return std::nullopt;
+    forward.Normalize();
+    gp_Pnt p = curve_.Value(t);
     const gp_Pnt start = p;
-    gp_Pnt unused;
-    gp_Vec along;
-    curve_.D1(t, unused, along);
     for (FaceAtEdge& side : sides_) side.start(t);
-    for (int round = 0; round < 8; ++round) {
+    for (int round = 0; round < kRounds; ++round) {
       gp_Vec n, m;
       const double toA = sides_[0].distance(p, n), toB = sides_[1].distance(p, m);
-      gp_Vec tangent = n.Crossed(m);
-      const double sine = tangent.Magnitude(), cosine = n.Dot(m);
-      if (sine < kMinCrossing) return std::nullopt;
-      if (std::max(std::abs(toA), std::abs(toB)) < 1e-3 * kCurveBound) {
-        if (p.Distance(start) > kMaxMove) return std::nullopt;
-        if (tangent.Dot(along) < 0) tangent.Reverse();
-        return CurvePoint{p, tangent / sine};
+      const double toPlane = gp_Vec(p, middle).Dot(forward);
+      const gp_Vec tangent = n.Crossed(m);
+      const double square = tangent.SquareMagnitude(), cosine = n.Dot(m),
+                   advance = tangent.Dot(forward);
+      if (square < kMinCrossing * kMinCrossing) return std::nullopt;
+      if (std::max({std::abs(toA), std::abs(toB), std::abs(toPlane)}) < kExact) {
+        const gp_Vec moved(start, p);
+        const double across = (moved - moved.Dot(forward) * forward).Magnitude();
+        return across <= kMaxMove ? std::optional<gp_Pnt>(p) : std::nullopt;
       }
-      // The shortest step to both tangent planes.
-      const double square = sine * sine;
-      p.Translate(n * ((toA - cosine * toB) / square) + m * ((toB - cosine * toA) / square));
+      // The shortest step to both tangent planes, and from there along both to the plane across.
+      gp_Vec step = n * ((toA - cosine * toB) / square) + m * ((toB - cosine * toA) / square);
+      step += tangent * ((toPlane - step.Dot(forward)) / advance);
+      p.Translate(step);
     }
     return std::nullopt;
   }
 
   const BRepAdaptor_Curve curve_;
+  const Range range_;
+  Handle(Geom_Curve) spine_;
   std::array<FaceAtEdge, 2> sides_;
 };
 
@@ -164,6 +191,7 @@ Handle(Geom2d_BSplineCurve) exactParameters(const TopoDS_Edge& edge, const TopoD
   FaceAtEdge side(edge, face);
   if (!side.isSpline()) return {};
   const double from = curve.FirstParameter(), to = curve.LastParameter();
+  if (side.isOn(curve)) return {};
   std::vector<double> ts;
   for (int i = 0; i <= kPieces; ++i) ts.push_back(from + (to - from) * i / kPieces);
   for (int round = 0; round < kRounds; ++round) {
@@ -217,7 +245,7 @@ void makeSectionsExact(const TopoDS_Shape& shape) {
     builder.UpdateEdge(edge, section->curve, TopLoc_Location(), Precision::Confusion());
     builder.UpdateEdge(edge, section->onSides[0], a, Precision::Confusion());
     builder.UpdateEdge(edge, section->onSides[1], b, Precision::Confusion());
-    builder.Range(edge, section->curve->FirstParameter(), section->curve->LastParameter());
+    builder.Range(edge, 0, section->length);
   }
 }
 

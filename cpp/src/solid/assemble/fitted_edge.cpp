@@ -34,13 +34,7 @@ bool addCurveOn(const TopoDS_Face& face, const TopoDS_Edge& edge,
       },
       range, kCurveBound);
   if (!fitted) return false;
-  const auto space = Handle(Geom_BSplineCurve)::DownCast(kernelCurve(*fitted));
-  TColgp_Array1OfPnt2d poles(1, space->NbPoles());
-  for (int i = 1; i <= space->NbPoles(); ++i)
-    poles(i) = {space->Pole(i).X() / scale.x(), space->Pole(i).Y() / scale.y()};
-  const Handle(Geom2d_BSplineCurve) curve =
-      new Geom2d_BSplineCurve(poles, space->Knots(), space->Multiplicities(), space->Degree());
-  BRep_Builder().UpdateEdge(edge, curve, face, Precision::Confusion());
+  BRep_Builder().UpdateEdge(edge, kernelCurveOn(*fitted, scale), face, Precision::Confusion());
   return true;
 }
 

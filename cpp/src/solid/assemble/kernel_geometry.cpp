@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/assemble/kernel_geometry.h"
 
+#include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_Circle.hxx>
@@ -49,6 +50,16 @@ Handle(Geom_Curve) kernelCurve(const Curve& curve) {
     poles(static_cast<Standard_Integer>(i) + 1) = pointOf(curve.poles[i]);
   const KernelKnots knots(Knots(curve.degree, curve.knots, curve.joints));
   return new Geom_BSplineCurve(poles, knots.at, knots.multiplicities, curve.degree);
+}
+
+Handle(Geom2d_Curve) kernelCurveOn(const Curve& curve, const Eigen::Vector2d& scale) {
+  TColgp_Array1OfPnt2d poles(1, static_cast<Standard_Integer>(curve.poles.size()));
+  for (std::size_t i = 0; i < curve.poles.size(); ++i) {
+    poles(static_cast<Standard_Integer>(i) + 1) = {curve.poles[i].x() / scale.x(),
+                                                   curve.poles[i].y() / scale.y()};
+  }
+  const KernelKnots knots(Knots(curve.degree, curve.knots, curve.joints));
+  return new Geom2d_BSplineCurve(poles, knots.at, knots.multiplicities, curve.degree);
 }
 
 Handle(Geom_Surface) kernelSheet(const Sheet& sheet) {

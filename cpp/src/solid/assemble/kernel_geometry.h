@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <gp_Dir.hxx>
@@ -23,6 +24,9 @@ inline Eigen::Vector3d vectorOf(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()};
 gp_Trsf transformOf(const Pose& pose);
 
 Handle(Geom_Curve) kernelCurve(const Curve& curve);
+/// Returns the curve in the parameters of a surface. The x and y of its poles are these parameters
+/// times `scale` (mm per unit of the parameters).
+Handle(Geom2d_Curve) kernelCurveOn(const Curve& curve, const Eigen::Vector2d& scale);
 Handle(Geom_Surface) kernelSheet(const Sheet& sheet);
 
 }  // namespace swept::step

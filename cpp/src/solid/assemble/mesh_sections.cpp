@@ -123,8 +123,11 @@ class Finder {
     constexpr double kAnySine = HUGE_VAL, kTangentSine = 2e-3;
     std::vector<SharedCurve> shared;
     std::vector<std::pair<int, TopoDS_Edge>> folds;
+    // Fixed surfaces may cross between their common edges, too.
+    const bool areFixed = !given_[a].inner.empty() && !given_[b].inner.empty();
     for (const int e : faces_.edgesOf(a)) {
-      if (faces_.hasEdge(b, e)) shared.push_back({curveOf(faces_.edge(e)), kCrossing, kAnySine});
+      if (!areFixed && faces_.hasEdge(b, e))
+        shared.push_back({curveOf(faces_.edge(e)), kCrossing, kAnySine});
     }
     for (const FaceCurve& divider : dividers_) {
       if (divider.liesOn(a) && divider.liesOn(b))
@@ -210,7 +213,8 @@ class Finder {
   // begin there.
   void addPiercings(const FaceCurve& curve, bool isStart) {
     constexpr int kPieces = 100;
-    constexpr double kSlack = 0.05;  // of a piece
+    constexpr double kSlack = 0.05;    // of a piece
+    constexpr double kMinSine = 1e-7;  // otherwise the curve lies in the face
     const BRepAdaptor_Curve along(curve.edge);
     const double from = along.FirstParameter(), to = along.LastParameter(),
                  piece = (to - from) / kPieces;
@@ -229,9 +233,10 @@ class Finder {
         gp_Vec tangent;
         along.D1(found->first, p, tangent);
         const Vector3d at = vectorOf(p.XYZ());
-        addEvent(at, std::abs(faces_.jet(face, found->second)
-                                  .normal()
-                                  .dot(vectorOf(tangent.XYZ()).normalized())));
+        const double sine = std::abs(
+            faces_.jet(face, found->second).normal().dot(vectorOf(tangent.XYZ()).normalized()));
+        if (sine < kMinSine) continue;
+        addEvent(at, sine);
         if (!isStart || curve.isFold) continue;
         for (const int f : curve.faces) {
           const Handle(Geom2d_Curve) flat = faces_.curveOn(f, curve.edge);
@@ -355,12 +360,15 @@ class Finder {
     }
     if (curve.isDivider) {
       const Vector3d normal = normals.front(), side = normal.cross(tangent).normalized();
-      int inside = 0;
-      for (const double up : {-1, 1}) {
-        for (const double beside : {-1, 1})
-          inside += contains(p + d * (up * normal + beside * side));
+      // Near the face and far from it; it may be part of a very sharp edge.
+      int inside = 0, count = 0;
+      for (const double slope : {0.1, 1.0, -1.0, -0.1}) {
+        for (const double beside : {-1, 1}) {
+          inside += contains(p + d * (slope * normal + beside * side));
+          ++count;
+        }
       }
-      return inside > 0 && inside < 4;
+      return inside > 0 && inside < count;
     }
     // Samples cannot tell whether two faces that are nearly tangent form an edge.
     constexpr double kTooFlat = 0.02;

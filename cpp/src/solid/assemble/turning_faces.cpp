@@ -21,7 +21,7 @@
 #include "solid/assemble/contact_curves.h"
 #include "solid/assemble/elementary_body.h"
 #include "solid/assemble/fitted_edge.h"
-#include "solid/assemble/fixed_planes.h"
+#include "solid/assemble/fixed_surfaces.h"
 #include "solid/assemble/kernel_geometry.h"
 #include "solid/assemble/key_crossings.h"
 #include "solid/assemble/zero_curves.h"
@@ -70,8 +70,8 @@ struct Graze {
 class TurningStep {
  public:
   TurningStep(const ElementaryBody& body, const StepPath& path, const BodyMotion& motion,
-              TurningFaces& to)
-      : body_(body), path_(path), motion_(motion), to_(to) {
+              const FixedSurfaces& fixed, TurningFaces& to)
+      : body_(body), path_(path), motion_(motion), fixed_(fixed), to_(to) {
     for (const BodySurface& surface : body.surfaces) curves_.emplace_back(surface, path);
   }
 
@@ -82,7 +82,7 @@ class TurningStep {
     constexpr double kNoTravel = 1e-5;  // mm
     if (motion_.shortest() < kNoTravel) return false;
     for (std::size_t f = 0; f < body_.faces.size(); ++f) {
-      const bool canSlide = body_.surfaceOf(static_cast<int>(f)).isPlane;
+      const bool canSlide = body_.surfaceOf(static_cast<int>(f)).isPlane || !motion_.doesTurn();
       if (motion_.slides(static_cast<int>(f)) && !canSlide) return false;
     }
     caps_ = caps;
@@ -121,10 +121,10 @@ class TurningStep {
     return true;
   }
 
-  // Adds the curves that divide planes to these planes. `step`: index of this step.
-  void addPathsTo(FixedPlanes& planes, std::size_t step) const {
-    const auto add = [&](int plane, int vertex) {
-      for (const Span& span : spans_) planes.add(plane, span.paths[vertex]);
+  // Adds the curves that divide fixed surfaces to these. `step`: index of this step.
+  void addPathsTo(FixedSurfaces& fixed, std::size_t step) const {
+    const auto add = [&](int surface, int vertex) {
+      for (const Span& span : spans_) fixed.add(surface, span.paths[vertex]);
     };
     for (std::size_t f = 0; f < body_.faces.size(); ++f) {
       if (!motion_.slides(static_cast<int>(f))) continue;
@@ -135,10 +135,10 @@ class TurningStep {
       }
     }
     for (std::size_t e = 0; e < body_.edges.size(); ++e) {
-      const int plane = planes.planeOfEdge(step, e);
+      const int plane = fixed.planeOf(step, e);
       if (plane < 0) continue;
-      planes.add(plane, spans_.front().start->of(body_.edges[e]));
-      planes.add(plane, spans_.back().end->of(body_.edges[e]));
+      fixed.add(plane, spans_.front().start->of(body_.edges[e]));
+      fixed.add(plane, spans_.back().end->of(body_.edges[e]));
       for (const int v : {body_.edges[e].from, body_.edges[e].to}) add(plane, v);
     }
   }
@@ -265,12 +265,16 @@ class TurningStep {
     for (const Range& s : joined) {
       if (s.length() < kSameTime) continue;
       const Knots straight(1, {w.from, w.to});
-      const auto fitted = fitSheet(
-          [&](double x, double t) {
-            return motion_.at(curves.at(curve, x, t / motion_.length()), t / motion_.length());
-          },
-          w, motion_.timeOf(s), curves.areStraight() ? &straight : nullptr, kSurfaceBound,
-          kMaxTurningPoles);
+      const auto exact = [&](double x, double t) -> Vector3d {
+        return motion_.at(curves.at(curve, x, t / motion_.length()), t / motion_.length());
+      };
+      if (isFixed(exact, w, motion_.timeOf(s))) {
+        dropContacts(surface, curve, s);
+        continue;
+      }
+      const auto fitted =
+          fitSheet(exact, w, motion_.timeOf(s), curves.areStraight() ? &straight : nullptr,
+                   kSurfaceBound, kMaxTurningPoles);
       if (!fitted) return false;
       grazes_.push_back({surface, curve, w, s, static_cast<int>(to_.faces.size())});
       to_.faces.push_back({BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), w.from, w.to,
@@ -279,6 +283,27 @@ class TurningStep {
                            SweptFace::kAlone});
     }
     return true;
+  }
+
+  // Returns whether a grazing surface lies in a fixed surface. So it does where a face that slides
+  // continues smoothly into a cylinder.
+  bool isFixed(const ExactSurface& exact, Range w, Range t) const {
+    constexpr int kPoints = 4;
+    std::vector<Vector3d> points;
+    for (int i = 0; i <= kPoints; ++i) {
+      for (int j = 0; j <= kPoints; ++j)
+        points.push_back(
+            exact(w.at(static_cast<double>(i) / kPoints), t.at(static_cast<double>(j) / kPoints)));
+    }
+    return fixed_.doesContain(points);
+  }
+
+  void dropContacts(int surface, int curve, Range s) {
+    const auto isDropped = [&](const Contact& contact) {
+      return body_.faces[contact.face].surface == surface && contact.curve == curve &&
+             contact.s.from >= s.from && contact.s.to <= s.to;
+    };
+    contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(), isDropped), contacts_.end());
   }
 
   const Graze* grazeOf(const Contact& contact) const {
@@ -372,18 +397,22 @@ class TurningStep {
                          new Geom2d_Line(gp_Pnt2d(w.from, motion_.timeOf(time)), gp_Dir2d(1, 0)),
                          to_.faces[graze.face].face, Precision::Confusion());
     } else {
-      double u0, u1, v0, v1;
-      BRepTools::UVBounds(body_.faces[f].shape, u0, u1, v0, v1);
-      const auto onCap = [&](double x) {
-        return surface.parametersOf(curves.at(graze.curve, x, time), (u0 + u1) / 2);
-      };
       edge = fittedEdge(exact, w);
       if (edge.IsNull() ||
           !addCurveOn(
               to_.faces[graze.face].face, edge,
-              [&](double x) { return Vector2d(x, motion_.timeOf(time)); }, {1, 1}, w) ||
-          !addCurveOn(to_.faces[cap].face, edge, onCap, {surface.radius, 1}, w))
+              [&](double x) { return Vector2d(x, motion_.timeOf(time)); }, {1, 1}, w))
         return;
+    }
+    if (!surface.isPlane) {
+      double u0, u1, v0, v1;
+      BRepTools::UVBounds(body_.faces[f].shape, u0, u1, v0, v1);
+      const auto onCap = [&](double x) {
+        return cap < static_cast<int>(fixed_.count())
+                   ? fixed_.parametersOf(cap, exact(x))
+                   : surface.parametersOf(curves.at(graze.curve, x, time), (u0 + u1) / 2);
+      };
+      if (!addCurveOn(to_.faces[cap].face, edge, onCap, {surface.radius, 1}, w)) return;
     }
     to_.dividers.push_back({edge, {graze.face, cap}});
   }
@@ -444,6 +473,7 @@ class TurningStep {
   const ElementaryBody& body_;
   const StepPath& path_;
   const BodyMotion& motion_;
+  const FixedSurfaces& fixed_;
   TurningFaces& to_;
   std::array<const std::vector<int>*, 2> caps_{};  // at the start and the end
   std::vector<ContactCurves> curves_;              // by surface of the body
@@ -483,31 +513,32 @@ std::optional<TurningFaces> turningFaces(const TopoDS_Shape& shape, const Trajec
     paths.emplace_back(poses[k], poses[k + 1], trajectory.interpolation);
     motions.emplace_back(body, paths.back());
   }
-  FixedPlanes planes(body, poses, motions);
+  FixedSurfaces fixed(body, poses, motions, reachOf(body, paths));
+  if (fixed.doOverlap()) return std::nullopt;
   TurningFaces result;
-  result.faces.resize(planes.count());
+  for (std::size_t i = 0; i < fixed.count(); ++i) result.faces.push_back(fixed.candidate(i));
   std::vector<PosedBody> posed;
   std::vector<std::vector<int>> caps;
   for (std::size_t k = 0; k < poses.size(); ++k) {
     posed.emplace_back(body.shape, poses[k]);
     std::vector<int>& of = caps.emplace_back();
     for (std::size_t f = 0; f < body.faces.size(); ++f) {
-      const int plane = planes.planeOf(k, f);
-      of.push_back(plane >= 0 ? plane : static_cast<int>(result.faces.size()));
-      if (plane < 0) result.faces.push_back({posed[k].of(body.faces[f]), static_cast<int>(k), {}});
+      const int surface = fixed.surfaceOf(k, f);
+      of.push_back(surface >= 0 ? surface : static_cast<int>(result.faces.size()));
+      if (surface < 0)
+        result.faces.push_back({posed[k].of(body.faces[f]), static_cast<int>(k), {}});
       for (const int e : body.faces[f].edges) {
-        if (plane >= 0) planes.add(plane, posed[k].of(body.edges[e]));
+        if (surface >= 0) fixed.add(surface, posed[k].of(body.edges[e]));
       }
     }
   }
   for (std::size_t k = 0; k < paths.size(); ++k) {
-    TurningStep step(body, paths[k], motions[k], result);
+    TurningStep step(body, paths[k], motions[k], fixed, result);
     if (!step.append(posed[k], posed[k + 1], {&caps[k], &caps[k + 1]})) return std::nullopt;
-    step.addPathsTo(planes, k);
+    step.addPathsTo(fixed, k);
     if (k > 0) appendKeyCrossings(body, paths[k - 1], paths[k], result.crossings);
   }
-  const double reach = reachOf(body, paths);
-  for (std::size_t i = 0; i < planes.count(); ++i) result.faces[i] = planes.candidate(i, reach);
+  for (std::size_t i = 0; i < fixed.count(); ++i) result.faces[i] = fixed.candidate(i);
   return result;
 }
 
