@@ -4,6 +4,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2dAdaptor_Curve.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Surface.hxx>
@@ -47,12 +48,12 @@ class FaceAtEdge {
     const double from = edge.FirstParameter(), step = (edge.LastParameter() - from) / kPoints;
     for (int i = 0; i <= kPoints; ++i) {
       const double t = from + i * step;
-      if (at(curve_->Value(t)).Distance(edge.Value(t)) > kCurveBound) return false;
+      if (at(curve_->Value(t)).Distance(edge.Value(t)) > kCurveBound / 2) return false;
     }
     return true;
   }
   bool isKnown() const { return !curve_.IsNull(); }
-  bool isSpline() const { return !Handle(Geom2d_BSplineCurve)::DownCast(curve_).IsNull(); }
+  bool isSpline() const { return Geom2dAdaptor_Curve(curve_).GetType() == GeomAbs_BSplineCurve; }
 
   gp_Pnt at(const gp_Pnt2d& p) const { return surface_->Value(p.X(), p.Y()); }
   /// Starts at the point of the edge with this parameter.

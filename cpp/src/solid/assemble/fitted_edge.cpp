@@ -15,9 +15,13 @@ namespace swept::step {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+/// mm: smaller than the bound of other curves. Along these curves, faces are often tangent, and the
+/// kernel's check for intersections is sensitive to errors there.
+constexpr double kFittedBound = 5e-9;
+
 TopoDS_Edge fittedEdge(const std::function<Vector3d(double)>& exact, Range range) {
   TopoDS_Edge edge;
-  const auto fitted = fitSpline(exact, range, kCurveBound);
+  const auto fitted = fitSpline(exact, range, kFittedBound);
   if (!fitted) return edge;
   const BRep_Builder builder;
   builder.MakeEdge(edge, kernelCurve(*fitted), Precision::Confusion());
@@ -32,7 +36,7 @@ bool addCurveOn(const TopoDS_Face& face, const TopoDS_Edge& edge,
         const Vector2d p = on(t).cwiseProduct(scale);
         return Vector3d(p.x(), p.y(), 0);
       },
-      range, kCurveBound);
+      range, kFittedBound);
   if (!fitted) return false;
   BRep_Builder().UpdateEdge(edge, kernelCurveOn(*fitted, scale), face, Precision::Confusion());
   return true;
