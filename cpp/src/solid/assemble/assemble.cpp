@@ -15,6 +15,9 @@
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom2d_Curve.hxx>
+#include <GeomLib_IsPlanarSurface.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_Plane.hxx>
 #include <Message_ProgressScope.hxx>
 #include <Precision.hxx>
 #include <ShapeFix_Shape.hxx>
@@ -24,6 +27,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
@@ -154,12 +158,33 @@ double volumeOf(const TopoDS_Shape& shape) {
   return properties.Mass();
 }
 
+// Returns the face on a plane if its surface is a plane B-spline.
+TopoDS_Face onPlane(const TopoDS_Face& face) {
+  constexpr double kPlane = 1e-8;  // mm
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  if (Handle(Geom_BSplineSurface)::DownCast(surface).IsNull()) return face;
+  const GeomLib_IsPlanarSurface test(surface, kPlane);
+  if (!test.IsPlanar()) return face;
+  double u0, u1, v0, v1;
+  surface->Bounds(u0, u1, v0, v1);
+  gp_Pnt p;
+  gp_Vec alongU, alongV;
+  surface->D1((u0 + u1) / 2, (v0 + v1) / 2, p, alongU, alongV);
+  const gp_Pln plane(gp_Ax3(p, gp_Dir(alongU.Crossed(alongV)), gp_Dir(alongU)));
+  const BRep_Builder builder;
+  TopoDS_Face result;
+  builder.MakeFace(result, new Geom_Plane(plane), BRep_Tool::Tolerance(face));
+  for (TopoDS_Iterator wire(face.Oriented(TopAbs_FORWARD)); wire.More(); wire.Next())
+    builder.Add(result, wire.Value());
+  return TopoDS::Face(result.Oriented(face.Orientation()));
+}
+
 // Makes one solid for each outer shell. Cavities are shells with a negative volume.
 TopoDS_Shape solidsOf(const std::vector<TopoDS_Face>& faces) {
   const BRep_Builder builder;
   TopoDS_Compound all;
   builder.MakeCompound(all);
-  for (const TopoDS_Face& face : faces) builder.Add(all, face);
+  for (const TopoDS_Face& face : faces) builder.Add(all, onPlane(face));
   TopTools_ListOfShape blocks;
   BOPTools_AlgoTools::MakeConnexityBlocks(all, TopAbs_EDGE, TopAbs_FACE, blocks);
   std::vector<TopoDS_Solid> solids;
