@@ -236,10 +236,50 @@ TEST_F(BodySolid, RodThatTurnsWhileItMoves) {
   EXPECT_LE(judged_.faces, 20);
 }
 
-// In such a step, a face slides within its plane. Its surfaces are recognised in the mesh.
-TEST_F(BodySolid, ATurnWithinAPlaneIsNoError) {
+// Two faces slide within their planes.
+TEST_F(BodySolid, BoxThatTurnsWithinAPlane) {
   readBodyOf(boxMesh(12, 8, 5));
   sweep({{0, 0, 0}, {17, 4, 0}}, turned(0.4, {0, 0, 1}));
+  expectExactFaces();
+  EXPECT_EQ(kinds_["sheet"], judged_.faces - kinds_["plane"]);
+  EXPECT_LE(judged_.faces, 14);
+}
+
+// Edges, but no faces, stay in planes. Along the longest of them, both faces at the edge touch the
+// envelope at the same time.
+TEST_F(BodySolid, EdgesThatTurnWithinAPlane) {
+  readBodyOf(boxMesh(12, 8, 5));
+  sweep({{0, 0, 0}, {0, 17, 4}}, turned(0.4, {1, 0, 0}) * turned(0.7, {0, 0, 1}));
+  motion_.poses[0].rotation = turned(0.7, {0, 0, 1});
+  compute();
+  expectExactFaces();
+}
+
+// Faces slide along the first two steps. In the third, the faces at the start lie in their planes.
+TEST_F(BodySolid, StraightStepsBeforeATurn) {
+  readBodyOf(voxelMesh([](int x, int y, int) { return x < 4 || y < 3; }, 12, 9, 5, 1.0));
+  sweep({{0, 0, 0}, {0, 0, 7}, {9, 0, 7}, {14, 8, 11}}, turned(0.5, {2, -1, 1}));
+  expectExactFaces();
+}
+
+// The cylinder slides along its axis, then its planes slide. A disc that moves along a line sweeps
+// the same area, however it turns.
+TEST_F(BodySolid, RodAlongItsAxisThenAcross) {
+  const std::string file = folder_.file("rod.brep");
+  writeRod(kRadius, kLength, file);
+  readBodyFrom(file);
+  sweep({{0, 0, 0}, {0, 0, 9}, {17, 0, 9}}, turned(0.4, {0, 0, 1}));
+  expectExact(M_PI * kRadius * kRadius * (kLength + 9) + 2 * kRadius * kLength * 17);
+  EXPECT_LE(kinds_["cylinder"], 4);
+}
+
+// The cylinder touches the envelope along two of its lines, and at times along a whole circle. Its
+// surfaces are recognised in the mesh.
+TEST_F(BodySolid, ARodThatTurnsWithinAPlaneIsNoError) {
+  const std::string file = folder_.file("rod.brep");
+  writeRod(kRadius, kLength, file);
+  readBodyFrom(file);
+  sweep({{0, 0, 0}, {17, 0, 4}}, turned(0.4, {0, 1, 0}));
   const SolidOptions options = optionsWithOrigin();
   const WrittenSolid report = write(options);
   EXPECT_TRUE(judged_.valid);

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/step_path.h"
+#include "solid/assemble/body_motion.h"
 #include "solid/assemble/zero_curves.h"
 
 namespace swept::step {
@@ -72,6 +74,74 @@ TEST(ElementaryBody, CutsClosedFacesAndKnowsTheirSurface) {
         surface.isPlane ? Eigen::Vector3d(0, 0, up) : p.cwiseProduct(Eigen::Vector3d(0.5, 0, 0));
     EXPECT_NEAR((away - expected).norm(), 0, 1e-12);
   }
+}
+
+TEST(ElementaryBody, KnowsTheCornersOfItsFaces) {
+  const ElementaryBody body(notchedBox());
+  int corners = 0, others = 0;
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    for (int v = 0; v < body.vertices.Extent(); ++v) {
+      const bool isAtFace =
+          std::any_of(body.faces[f].edges.begin(), body.faces[f].edges.end(),
+                      [&](int e) { return body.edges[e].from == v || body.edges[e].to == v; });
+      if (!isAtFace) continue;
+      ++(body.isCorner(v, static_cast<int>(f)) ? corners : others);
+    }
+  }
+  EXPECT_EQ(corners, 6 * 4 + 2 * 5);
+  EXPECT_EQ(others, 2) << "the notch, in the top and the bottom";
+}
+
+Pose poseAt(const Eigen::Vector3d& place, double angle, const Eigen::Vector3d& axis) {
+  Pose pose;
+  pose.translation = place;
+  pose.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));
+  return pose;
+}
+
+TEST(BodyMotion, KnowsWhatSlidesAndWhatTurnsInAPlane) {
+  const ElementaryBody body(notchedBox());
+  const StepPath path(poseAt({0, 0, 0}, 0, Eigen::Vector3d::UnitZ()),
+                      poseAt({20, 5, 0}, 0.3, Eigen::Vector3d::UnitZ()), Interpolation::Linear);
+  const BodyMotion motion(body, path);
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    const bool isFlat = std::abs(body.surfaceOf(static_cast<int>(f)).axis.z()) > 0.5;
+    EXPECT_EQ(motion.slides(static_cast<int>(f)), isFlat);
+  }
+  for (const BodyEdge& edge : body.edges) {
+    const bool isFlat = std::abs(edge.tangent(edge.range.from).z()) < 0.5;
+    EXPECT_EQ(motion.slidesAt(edge), isFlat);
+    ASSERT_EQ(motion.planeOf(edge).has_value(), isFlat);
+    if (!isFlat) continue;
+    EXPECT_NEAR(std::abs(motion.planeOf(edge)->z()), 1, 1e-12);
+  }
+  const BodyMotion straight(
+      body, StepPath(poseAt({0, 0, 0}, 0, Eigen::Vector3d::UnitZ()),
+                     poseAt({20, 5, 3}, 0, Eigen::Vector3d::UnitZ()), Interpolation::Linear));
+  EXPECT_FALSE(straight.doesTurn());
+  for (std::size_t f = 0; f < body.faces.size(); ++f)
+    EXPECT_FALSE(straight.slides(static_cast<int>(f)));
+}
+
+// The ends of the arcs at the seams of a cylinder touch the envelope all the time.
+TEST(BodyMotion, FindsContactAtTheEndsOfEdges) {
+  const ElementaryBody body(BRepPrimAPI_MakeCylinder(2, 5).Shape());
+  const StepPath path(poseAt({0, 0, 0}, 0, Eigen::Vector3d::UnitZ()),
+                      poseAt({0, 20, 0}, 0, Eigen::Vector3d::UnitZ()), Interpolation::Linear);
+  const BodyMotion motion(body, path);
+  int found = 0;
+  for (const BodyEdge& edge : body.edges) {
+    for (const int f : edge.faces) {
+      if (body.surfaceOf(f).isPlane) continue;
+      for (const ZeroArc& arc : motion.contactsOf(edge, f, {0, 1})) {
+        const Eigen::Vector2d on = arc.at(arc.range().at(0.5));
+        EXPECT_NEAR(std::abs(edge.at(on.x()).x()), 2, 1e-9);
+        EXPECT_NEAR(arc.range().length(), 20, 1e-9);
+        ++found;
+      }
+    }
+  }
+  EXPECT_EQ(found, 8) << "two at each of four arcs, none at the seams";
 }
 
 TEST(Zeros, AreFoundInOrder) {

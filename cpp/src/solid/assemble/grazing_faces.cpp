@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepClass_FaceClassifier.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom_Line.hxx>
+#include <Precision.hxx>
+#include <algorithm>
+
+#include "solid/assemble/fitted_edge.h"
+#include "solid/assemble/kernel_geometry.h"
+#include "solid/assemble/turning_step.h"
+
+namespace swept::step {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+bool TurningStep::isWholeLine(const Contact& contact) const {
+  return contact.s.length() < kSameTime || motion_.slidesAt(body_.edges[contact.edge]);
+}
+
+bool TurningStep::appendGrazes(int surface, int curve) {
+  constexpr double kWider = 0.05;
+  const ContactCurves& curves = curves_[surface];
+  const Range w = curves.extent(body_, surface).grown(kWider);
+  std::vector<Range> times;
+  for (const Contact& contact : contacts_) {
+    if (body_.faces[contact.face].surface != surface || contact.curve != curve) continue;
+    const double wider = isWholeLine(contact) ? 0 : kOneStep;
+    times.push_back({std::max(0.0, contact.s.from - wider), std::min(1.0, contact.s.to + wider)});
+  }
+  std::sort(times.begin(), times.end(),
+            [](const Range& a, const Range& b) { return a.from < b.from; });
+  std::vector<Range> joined;
+  for (const Range& s : times) {
+    if (joined.empty() || s.from > joined.back().to + kOneStep) {
+      joined.push_back(s);
+    } else {
+      joined.back().to = std::max(joined.back().to, s.to);
+    }
+  }
+  for (const Range& s : joined) {
+    if (s.length() < kSameTime) continue;
+    const Knots straight(1, {w.from, w.to});
+    const auto exact = [&](double x, double t) -> Vector3d {
+      return motion_.at(curves.at(curve, x, t / motion_.length()), t / motion_.length());
+    };
+    if (isFixed(exact, w, motion_.timeOf(s))) {
+      dropContacts(surface, curve, s);
+      continue;
+    }
+    const auto fitted =
+        fitSheet(exact, w, motion_.timeOf(s), curves.areStraight() ? &straight : nullptr,
+                 kSurfaceBound, kMaxTurningPoles);
+    if (!fitted) return false;
+    grazes_.push_back({surface, curve, w, s, static_cast<int>(to_.faces.size())});
+    to_.faces.push_back(
+        {BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), w.from, w.to, motion_.timeOf(s.from),
+                                 motion_.timeOf(s.to), Precision::Confusion()),
+         SweptFace::kAlone});
+  }
+  return true;
+}
+
+bool TurningStep::isFixed(const ExactSurface& exact, Range w, Range t) const {
+  constexpr int kPoints = 4;
+  std::vector<Vector3d> points;
+  for (int i = 0; i <= kPoints; ++i) {
+    for (int j = 0; j <= kPoints; ++j)
+      points.push_back(
+          exact(w.at(static_cast<double>(i) / kPoints), t.at(static_cast<double>(j) / kPoints)));
+  }
+  return fixed_.doesContain(points);
+}
+
+void TurningStep::dropContacts(int surface, int curve, Range s) {
+  const auto isDropped = [&](const Contact& contact) {
+    return body_.faces[contact.face].surface == surface && contact.curve == curve &&
+           contact.s.from >= s.from && contact.s.to <= s.to;
+  };
+  contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(), isDropped), contacts_.end());
+}
+
+const TurningStep::Graze* TurningStep::grazeOf(const Contact& contact) const {
+  for (const Graze& graze : grazes_) {
+    if (graze.surface == body_.faces[contact.face].surface && graze.curve == contact.curve &&
+        graze.s.from <= contact.s.from && graze.s.to >= contact.s.to)
+      return &graze;
+  }
+  return nullptr;
+}
+
+bool TurningStep::appendContact(const Contact& contact) {
+  const BodyEdge& edge = body_.edges[contact.edge];
+  const Graze* graze = grazeOf(contact);
+  if (graze == nullptr) return false;
+  const ContactCurves& curves = curves_[graze->surface];
+  const ZeroArc& arc = contact.arc;
+  const TopoDS_Edge shape = fittedEdge(
+      [&](double t) {
+        const Vector2d on = arc.at(t);
+        return motion_.at(edge.at(on.x()), on.y());
+      },
+      arc.range());
+  const auto onGraze = [&](double t) {
+    const Vector2d on = arc.at(t);
+    return Vector2d(curves.positionAt(edge.at(on.x())), motion_.timeOf(on.y()));
+  };
+  const auto onSheet = [&](double t) {
+    const Vector2d on = arc.at(t);
+    return Vector2d(on.x(), motion_.timeOf(on.y()));
+  };
+  if (shape.IsNull() ||
+      !addCurveOn(to_.faces[graze->face].face, shape, onGraze, {1, 1}, arc.range()))
+    return false;
+  SweptSection divider{shape, {graze->face}};
+  const int sheet = spans_[contact.span].sheets[contact.edge];
+  if (sheet >= 0) {
+    if (!addCurveOn(to_.faces[sheet].face, shape, onSheet, {edge.scale, 1}, arc.range()))
+      return false;
+    divider.faces.push_back(sheet);
+  }
+  to_.dividers.push_back(divider);
+  return true;
+}
+
+void TurningStep::appendContactCurves(const Graze& graze, int time) {
+  for (std::size_t f = 0; f < body_.faces.size(); ++f) {
+    if (body_.faces[f].surface == graze.surface)
+      appendContactCurves(graze, time, static_cast<int>(f));
+  }
+}
+
+void TurningStep::appendContactCurves(const Graze& graze, int time, int f) {
+  const ContactCurves& curves = curves_[graze.surface];
+  std::vector<double> crossings;
+  for (const int e : body_.faces[f].edges) {
+    const BodyEdge& edge = body_.edges[e];
+    const OfTwo speed = motion_.speedOn(edge, f);
+    for (const double u : zerosOf([&](double x) { return speed({x, time}); }, edge.range)) {
+      const Vector3d p = edge.at(u);
+      if (curves.curveOf(p, time) == graze.curve) crossings.push_back(curves.positionAt(p));
+    }
+  }
+  std::sort(crossings.begin(), crossings.end());
+  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+    const Range w{crossings[i], crossings[i + 1]};
+    if (w.length() < Precision::Confusion()) continue;
+    const Vector3d middle = curves.at(graze.curve, w.at(0.5), time);
+    const BRepClass_FaceClassifier place(body_.faces[f].shape, pointOf(middle),
+                                         Precision::Confusion());
+    if (place.State() == TopAbs_IN) appendContactCurve(graze, time, f, w);
+  }
+}
+
+void TurningStep::appendContactCurve(const Graze& graze, int time, int f, Range w) {
+  const ContactCurves& curves = curves_[graze.surface];
+  const BodySurface& surface = body_.surfaces[graze.surface];
+  const auto exact = [&](double x) { return motion_.at(curves.at(graze.curve, x, time), time); };
+  const int cap = (*caps_[time])[f];
+  TopoDS_Edge edge;
+  if (curves.areStraight()) {
+    const BRep_Builder builder;
+    const gp_Dir direction = dirOf(path_.at(time).rotation * curves.along());
+    builder.MakeEdge(edge, new Geom_Line(pointOf(exact(w.from)), direction),
+                     Precision::Confusion());
+    builder.Range(edge, 0, w.length());
+    builder.UpdateEdge(edge,
+                       new Geom2d_Line(gp_Pnt2d(w.from, motion_.timeOf(time)), gp_Dir2d(1, 0)),
+                       to_.faces[graze.face].face, Precision::Confusion());
+  } else {
+    edge = fittedEdge(exact, w);
+    if (edge.IsNull() ||
+        !addCurveOn(
+            to_.faces[graze.face].face, edge,
+            [&](double x) { return Vector2d(x, motion_.timeOf(time)); }, {1, 1}, w))
+      return;
+  }
+  if (!surface.isPlane) {
+    double u0, u1, v0, v1;
+    BRepTools::UVBounds(body_.faces[f].shape, u0, u1, v0, v1);
+    const auto onCap = [&](double x) {
+      return cap < static_cast<int>(fixed_.count())
+                 ? fixed_.parametersOf(cap, exact(x))
+                 : surface.parametersOf(curves.at(graze.curve, x, time), (u0 + u1) / 2);
+    };
+    if (!addCurveOn(to_.faces[cap].face, edge, onCap, {surface.radius, 1}, w)) return;
+  }
+  to_.dividers.push_back({edge, {graze.face, cap}});
+}
+
+void TurningStep::appendRegression(const Graze& graze) {
+  const ContactCurves& curves = curves_[graze.surface];
+  const auto exact = [&](const Vector2d& on) {
+    return motion_.at(curves.at(graze.curve, on.x(), on.y()), on.y());
+  };
+  // Returns the signed area of the surface per unit of its parameters.
+  const double stepW = 1e-3 * graze.w.length(), stepS = 1e-3;
+  const auto slope = [&](const Vector2d& on, const Vector2d& step) -> Vector3d {
+    return (8 * (exact(on + step) - exact(on - step)) -
+            (exact(on + 2 * step) - exact(on - 2 * step))) /
+           12;
+  };
+  const OfTwo area = [&](const Vector2d& on) {
+    const Vector3d normal = path_.at(on.y()).rotation * body_.surfaces[graze.surface].normalAt(
+                                                            curves.at(graze.curve, on.x(), on.y()));
+    return slope(on, {stepW, 0}).cross(slope(on, {0, stepS})).dot(normal) /
+           (stepW * stepS * motion_.length());
+  };
+  bool hasFold = false;
+  for (const ZeroArc& arc : zeroArcs(area, graze.w, graze.s, {1, motion_.length()})) {
+    const TopoDS_Edge edge = fittedEdge([&](double t) { return exact(arc.at(t)); }, arc.range());
+    const auto on = [&](double t) {
+      const Vector2d p = arc.at(t);
+      return Vector2d(p.x(), motion_.timeOf(p.y()));
+    };
+    if (edge.IsNull() || !addCurveOn(to_.faces[graze.face].face, edge, on, {1, 1}, arc.range()))
+      continue;
+    to_.folds.push_back({edge, {graze.face}});
+    hasFold = true;
+  }
+  if (hasFold) appendCrossings(graze, area);
+}
+
+void TurningStep::appendCrossings(const Graze& graze, const OfTwo& area) {
+  for (const Contact& contact : contacts_) {
+    if (grazeOf(contact) != &graze) continue;
+    const BodyEdge& edge = body_.edges[contact.edge];
+    const auto onGraze = [&](double t) {
+      const Vector2d on = contact.arc.at(t);
+      return Vector2d(curves_[graze.surface].positionAt(edge.at(on.x())), on.y());
+    };
+    for (const double t :
+         zerosOf([&](double x) { return area(onGraze(x)); }, contact.arc.range())) {
+      const Vector2d on = contact.arc.at(t);
+      to_.crossings.push_back(pointOf(motion_.at(edge.at(on.x()), on.y())));
+    }
+  }
+}
+
+}  // namespace swept::step

@@ -1,0 +1,118 @@
+// One step of a motion: the faces of which its part of the envelope may consist (turning_faces.h).
+// Units:   mm; s is the fraction of the step.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <TopoDS_Edge.hxx>
+#include <array>
+#include <vector>
+
+#include "motion/step_path.h"
+#include "solid/assemble/body_motion.h"
+#include "solid/assemble/contact_curves.h"
+#include "solid/assemble/elementary_body.h"
+#include "solid/assemble/fixed_surfaces.h"
+#include "solid/assemble/turning_faces.h"
+#include "solid/assemble/zero_curves.h"
+#include "solid/sweep/interpolate.h"
+
+namespace swept::step {
+
+/// mm: how far surfaces may lie off the exact ones. Where two of them are nearly tangent, this
+/// error, divided by the sine of the angle between them, is that of their section.
+constexpr double kSurfaceBound = 2e-9;
+/// A cylinder whose axis nearly moves along itself grazes in a surface with some 3,000 poles.
+constexpr std::size_t kMaxTurningPoles = 10000;
+/// Fractions of the step: between equal times, and between the times at which contact is tested.
+constexpr double kSameTime = 1e-9, kOneStep = 1.0 / kZeroSteps;
+
+class TurningStep {
+ public:
+  TurningStep(const ElementaryBody& body, const StepPath& path, const BodyMotion& motion,
+              const FixedSurfaces& fixed, TurningFaces& to)
+      : body_(body), path_(path), motion_(motion), fixed_(fixed), to_(to) {
+    for (const BodySurface& surface : body.surfaces) curves_.emplace_back(surface, path);
+  }
+
+  /// Returns false if there is no regular surface for a face or an edge. `caps`: of the start and
+  /// the end, the index of the candidate of each face.
+  bool append(const PosedBody& start, const PosedBody& end,
+              const std::array<const std::vector<int>*, 2>& caps);
+  /// Adds the curves that divide fixed surfaces to these. `step`: index of this step.
+  void addPathsTo(FixedSurfaces& fixed, std::size_t step) const;
+
+ private:
+  // The body between two times of a step: the copies there, what the edges sweep between them.
+  struct Span {
+    Range s;
+    const PosedBody* start;
+    const PosedBody* end;
+    std::vector<TopoDS_Edge> paths;  // by vertex
+    std::vector<int> sheets;         // by edge: a face, or -1
+  };
+
+  // A curve on what an edge sweeps, on which the normal of a face at the edge is orthogonal to the
+  // velocity: it is a path of points of contact.
+  struct Contact {
+    int edge, face;
+    int curve;  // of ContactCurves
+    std::size_t span;
+    ZeroArc arc;  // parameter of the edge, time
+    Range s;
+  };
+
+  // A grazing surface. Its parameters are the position on the contact curve, and time.
+  struct Graze {
+    int surface, curve;
+    Range w, s;
+    int face;
+  };
+
+  bool makePaths(Span& span) const;
+  // Appends what an edge sweeps: a face for each span. Its parameters are that of the edge, and
+  // time.
+  bool appendSheet(int e);
+  TopoDS_Face sheetOf(const BodyEdge& edge, const Span& span,
+                      const Handle(Geom_Surface) & surface) const;
+  // Finds the paths of points of contact that lie on an edge.
+  void findContacts(int e);
+  // Returns whether the whole contact curve meets the border of its face at these times. So it
+  // does if the body moves in a plane: the contact curve is orthogonal to this plane, and meets an
+  // edge that is also orthogonal to it at one time. A grazing surface that went on beyond this
+  // time would be nearly the same as what the edge sweeps.
+  bool isWholeLine(const Contact& contact) const;
+  // Appends the surfaces that a contact curve of a surface of the body sweeps, for the times at
+  // which it touches a face.
+  bool appendGrazes(int surface, int curve);
+  // Returns whether a grazing surface lies in a fixed surface. So it does where a face that slides
+  // continues smoothly into a cylinder.
+  bool isFixed(const ExactSurface& exact, Range w, Range t) const;
+  void dropContacts(int surface, int curve, Range s);
+  const Graze* grazeOf(const Contact& contact) const;
+  // Appends the curve in which what an edge sweeps continues into a grazing surface.
+  bool appendContact(const Contact& contact);
+  // Appends the parts of a contact curve at the start (0) or the end (1) of the step that lie
+  // inside of faces.
+  void appendContactCurves(const Graze& graze, int time);
+  void appendContactCurves(const Graze& graze, int time, int f);
+  void appendContactCurve(const Graze& graze, int time, int f, Range w);
+  // Appends the edges of regression of a grazing surface: there it is tangent to itself, as the
+  // contact curve has the velocity of the body.
+  void appendRegression(const Graze& graze);
+  // Appends the points at which paths of contact cross edges of regression.
+  void appendCrossings(const Graze& graze, const OfTwo& area);
+
+  const ElementaryBody& body_;
+  const StepPath& path_;
+  const BodyMotion& motion_;
+  const FixedSurfaces& fixed_;
+  TurningFaces& to_;
+  std::array<const std::vector<int>*, 2> caps_{};  // at the start and the end
+  std::vector<ContactCurves> curves_;              // by surface of the body
+  std::vector<PosedBody> between_;
+  std::vector<Span> spans_;
+  std::vector<Contact> contacts_;
+  std::vector<Graze> grazes_;
+};
+
+}  // namespace swept::step
