@@ -42,13 +42,15 @@ class FaceAtEdge {
     double from, to;
     curve_ = BRep_Tool::CurveOnSurface(edge, face, from, to);
   }
-  /// Returns whether the curve on the face is exact already.
-  bool isOn(const BRepAdaptor_Curve& edge) const {
-    constexpr int kPoints = 100;
-    const double from = edge.FirstParameter(), step = (edge.LastParameter() - from) / kPoints;
-    for (int i = 0; i <= kPoints; ++i) {
-      const double t = from + i * step;
-      if (at(curve_->Value(t)).Distance(edge.Value(t)) > kCurveBound / 2) return false;
+  /// Returns whether the curve on the face is exact already. `spans`: parameters of the edge,
+  /// between which its curve is smooth.
+  bool isOn(const BRepAdaptor_Curve& edge, const std::vector<double>& spans) const {
+    constexpr int kParts = 4;
+    for (std::size_t i = 0; i + 1 < spans.size(); ++i) {
+      for (int k = 0; k < kParts; ++k) {
+        const double t = spans[i] + (spans[i + 1] - spans[i]) * k / kParts;
+        if (at(curve_->Value(t)).Distance(edge.Value(t)) > kCurveBound / 2) return false;
+      }
     }
     return true;
   }
@@ -184,17 +186,31 @@ class Section {
   std::array<FaceAtEdge, 2> sides_;
 };
 
+// Returns the ends of a curve, and between them the parameters at which its pieces join.
+std::vector<double> spansOf(const BRepAdaptor_Curve& curve) {
+  const GeomAbs_Shape smooth = GeomAbs_CN;
+  TColStd_Array1OfReal joints(1, curve.NbIntervals(smooth) + 1);
+  curve.Intervals(joints, smooth);
+  return {joints.begin(), joints.end()};
+}
+
 // Returns the curve in the parameters of the face, with the parameters of the edge. Null if the
 // kernel has an exact one, or if no spline is exact enough.
 Handle(Geom2d_BSplineCurve) exactParameters(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  constexpr int kPieces = 16, kRounds = 6;
+  constexpr std::size_t kPieces = 16, kMaxPoints = 1000;
+  constexpr int kRounds = 20;  // at a fold, the parameters change like a square root
   const BRepAdaptor_Curve curve(edge);
   FaceAtEdge side(edge, face);
   if (!side.isSpline()) return {};
-  const double from = curve.FirstParameter(), to = curve.LastParameter();
-  if (side.isOn(curve)) return {};
-  std::vector<double> ts;
-  for (int i = 0; i <= kPieces; ++i) ts.push_back(from + (to - from) * i / kPieces);
+  const std::vector<double> spans = spansOf(curve);
+  if (side.isOn(curve, spans)) return {};
+  std::vector<double> ts{spans.front()};
+  for (std::size_t i = 0; i + 1 < spans.size(); ++i) {
+    const auto pieces = std::max<std::size_t>(1, kPieces / (spans.size() - 1));
+    for (std::size_t k = 1; k <= pieces; ++k)
+      ts.push_back(spans[i] + (spans[i + 1] - spans[i]) * static_cast<double>(k) /
+                                  static_cast<double>(pieces));
+  }
   for (int round = 0; round < kRounds; ++round) {
     std::vector<CurvePoint2d> points;
     for (const double t : ts) {
@@ -216,6 +232,7 @@ Handle(Geom2d_BSplineCurve) exactParameters(const TopoDS_Edge& edge, const TopoD
       if (side.at(result->Value(t)).Distance(curve.Value(t)) > kCurveBound) finer.push_back(t);
     }
     if (finer.size() == ts.size()) return result;
+    if (finer.size() > kMaxPoints) break;
     ts = std::move(finer);
   }
   return {};

@@ -15,13 +15,21 @@ namespace swept::step {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// mm: smaller than the bound of other curves. Along these curves, faces are often tangent, and the
-/// kernel's check for intersections is sensitive to errors there.
-constexpr double kFittedBound = 5e-9;
+namespace {
+
+// Along these curves, faces are often tangent, and the kernel's check for intersections is
+// sensitive to errors there. So a smaller bound than that of other curves is tried first.
+std::optional<Curve> fitClosely(const ExactCurve& exact, Range range) {
+  constexpr double kCloseBound = 1e-8;  // mm
+  const auto fitted = fitSpline(exact, range, kCloseBound);
+  return fitted ? fitted : fitSpline(exact, range, kCurveBound);
+}
+
+}  // namespace
 
 TopoDS_Edge fittedEdge(const std::function<Vector3d(double)>& exact, Range range) {
   TopoDS_Edge edge;
-  const auto fitted = fitSpline(exact, range, kFittedBound);
+  const auto fitted = fitClosely(exact, range);
   if (!fitted) return edge;
   const BRep_Builder builder;
   builder.MakeEdge(edge, kernelCurve(*fitted), Precision::Confusion());
@@ -31,12 +39,12 @@ TopoDS_Edge fittedEdge(const std::function<Vector3d(double)>& exact, Range range
 
 bool addCurveOn(const TopoDS_Face& face, const TopoDS_Edge& edge,
                 const std::function<Vector2d(double)>& on, const Vector2d& scale, Range range) {
-  const auto fitted = fitSpline(
+  const auto fitted = fitClosely(
       [&](double t) {
         const Vector2d p = on(t).cwiseProduct(scale);
         return Vector3d(p.x(), p.y(), 0);
       },
-      range, kFittedBound);
+      range);
   if (!fitted) return false;
   BRep_Builder().UpdateEdge(edge, kernelCurveOn(*fitted, scale), face, Precision::Confusion());
   return true;
