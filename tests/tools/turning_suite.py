@@ -3,11 +3,12 @@
 """Makes solids of bodies with planes and cylinders that move along random motions and turn at the same time.
 
 Half of the motions have two keys, the others three. Each key is 20 to 70 mm from the one before it,
-and turned by 10 to 60 degrees. Prints a row for each solid that contains facets or is not valid, then
+and turned by 10 to 60 degrees. With --sliding, the motions are such that faces slide along themselves:
+one half lies in planes, the others have straight steps before or after a turn. Prints a row for each solid that contains facets or is not valid, then
 for each body: the number of motions, of solids without facets, their faces, and the largest B-rep
 tolerance and deviation.
 
-Usage: turning_suite.py BUILD [COUNT] [BODY...]
+Usage: turning_suite.py [--sliding] BUILD [COUNT] [BODY...]
 COUNT: motions for each body (default 25). BODY: box, ell, star, prism or cylinder (default: all).
 The cylinder needs FreeCAD.
 Ends with 1 if a solid is missing or not valid.
@@ -58,6 +59,40 @@ def random_motions(count):
         yield np.array(rows)
 
 
+def moved(rng, place, turned, axis=None):
+    """Returns the next key; if the number of an axis is given, one in the plane across this axis."""
+    step = rng.normal(size=3)
+    if axis is not None:
+        step[axis] = 0
+    place = place + step / np.linalg.norm(step) * rng.uniform(20, 70)
+    about = rng.normal(size=3) if axis is None else rng.choice([-1, 1]) * np.eye(3)[axis]
+    return place, product(turn(about, rng.uniform(10, 60)), turned)
+
+
+def sliding_motions(count):
+    rng = np.random.default_rng(SEED)
+    x, y, z = np.eye(3)
+    for case in range(count):
+        keys = [(np.zeros(3), turn((0, 0, 1), 0))]
+        kind = case // 2 % 4
+        if case % 2 == 0:
+            for _ in range(1 + kind % 2):
+                keys.append(moved(rng, *keys[-1], axis=(2, 2, 0, 1)[kind]))
+        elif kind == 0:
+            keys.append((np.eye(3)[case // 8 % 3] * rng.uniform(20, 60), keys[0][1]))
+            keys.append(moved(rng, *keys[-1]))
+        elif kind == 1:
+            keys.append(moved(rng, *keys[0], axis=2))
+            keys.append((keys[-1][0] + 40 * z, keys[-1][1]))
+        elif kind == 2:
+            keys.append(moved(rng, *keys[0], axis=2))
+            keys.append(moved(rng, *keys[-1]))
+        else:
+            keys += [(30 * x, keys[0][1]), (30 * x + 25 * y, keys[0][1])]
+            keys.append(moved(rng, *keys[-1], axis=2))
+        yield np.array([[number, *place, *turned] for number, (place, turned) in enumerate(keys)])
+
+
 def run(words):
     return subprocess.run([str(word) for word in words], capture_output=True, text=True)
 
@@ -83,24 +118,26 @@ def make_body(program, body, folder):
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
-    program = pathlib.Path(sys.argv[1]) / "bin" / "swept"
-    count = int(sys.argv[2]) if len(sys.argv) > 2 else 25
+    words = [word for word in sys.argv[1:] if word != "--sliding"]
+    motions = random_motions if len(words) + 1 == len(sys.argv) else sliding_motions
+    program = pathlib.Path(words[0]) / "bin" / "swept"
+    count = int(words[1]) if len(words) > 1 else 25
     failed = 0
     table = []
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        for body in sys.argv[3:] or [*PRISMS, "cylinder"]:
+        for body in words[2:] or [*PRISMS, "cylinder"]:
             part = make_body(program, body, folder)
             if part is None:
                 print("SKIPPED:", body, "(FreeCAD not found)")
                 continue
             exact = []
-            for case, rows in enumerate(random_motions(count)):
+            for case, rows in enumerate(motions(count)):
                 motion, report = folder / "motion.csv", folder / "report.json"
                 np.savetxt(motion, rows, fmt="%.17g", delimiter=",")
-                words = ["--output", folder / "envelope.step", "--report", report, "--quiet"]
-                words += ["--resolution", RESOLUTION, "--solid-tolerance", TOLERANCE]
-                made = run([program, "envelope", part, "--motion", motion] + words)
+                options = ["--output", folder / "envelope.step", "--report", report, "--quiet"]
+                options += ["--resolution", RESOLUTION, "--solid-tolerance", TOLERANCE]
+                made = run([program, "envelope", part, "--motion", motion] + options)
                 solid = (
                     json.loads(report.read_text()).get("solid") if made.returncode == 0 else None
                 )

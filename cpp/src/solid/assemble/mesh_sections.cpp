@@ -3,10 +3,13 @@
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <BndLib_Add2dCurve.hxx>
+#include <Bnd_Box2d.hxx>
 #include <Geom2dAPI_InterCurveCurve.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <Message_ProgressScope.hxx>
+#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <algorithm>
 #include <cmath>
@@ -252,13 +255,18 @@ class Finder {
   void addCrossings() {
     for (std::size_t f = 0; f < given_.size(); ++f) {
       std::vector<Handle(Geom2d_Curve)> curves;
+      std::vector<Bnd_Box2d> boxes;
       for (const TopoDS_Edge& edge : given_[f].inner) {
         double from, to;
         const Handle(Geom2d_Curve) whole =
             BRep_Tool::CurveOnSurface(edge, given_[f].face, from, to);
         curves.push_back(new Geom2d_TrimmedCurve(whole, from, to));
-        for (std::size_t i = 0; i + 1 < curves.size(); ++i)
-          addCrossings(static_cast<int>(f), curves[i], curves.back());
+        BndLib_Add2dCurve::Add(curves.back(), from, to, Precision::Confusion(),
+                               boxes.emplace_back());
+        for (std::size_t i = 0; i + 1 < curves.size(); ++i) {
+          if (!boxes[i].IsOut(boxes.back()))
+            addCrossings(static_cast<int>(f), curves[i], curves.back());
+        }
       }
     }
   }

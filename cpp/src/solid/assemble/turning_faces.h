@@ -4,7 +4,8 @@
 // In:      a body for which isElementary() is true; its poses.
 // Out:     faces in world coordinates: the body at each pose, the surfaces that its convex edges
 //          sweep in each step, and the surfaces in which its faces graze the envelope. They are
-//          larger than necessary: each covers the whole edge or face and the whole step.
+//          larger than necessary: each covers the whole edge or face and the whole step. What
+//          slides along a surface has one face for all its copies (fixed_surfaces.h).
 // Units:   mm.
 // Cost:    some milliseconds for each face.
 // Method:  A face touches the envelope along contact curves (contact_curves.h), which sweep its
@@ -35,8 +36,8 @@ struct TurningFaces {
 };
 
 /// `body`: in coordinates whose origin is the pivot. `trajectory`: the
-/// result of carriedByPivot(). Returns nothing if a face slides along itself or a vertex is at
-/// rest.
+/// result of carriedByPivot(). Returns nothing if a vertex is at rest, if a cylinder turns about
+/// its axis, or if there is no regular surface for a face or an edge.
 std::optional<TurningFaces> turningFaces(const TopoDS_Shape& body, const Trajectory& trajectory);
 
 }  // namespace swept::step
