@@ -3,10 +3,11 @@
 """Makes solids of bodies with planes and cylinders that move along random motions and turn at the same time.
 
 Half of the motions have two keys, the others three. Each key is 20 to 70 mm from the one before it,
-and turned by 10 to 60 degrees. With --sliding, the motions are such that faces slide along themselves:
-one half lies in planes, the others have straight steps before or after a turn. Prints a row for each solid that contains facets or is not valid, then
-for each body: the number of motions, of solids without facets, their faces, and the largest B-rep
-tolerance and deviation.
+and turned by 10 to 60 degrees. With --sliding, the motions are such that faces slide along
+themselves: one half lies in planes, the others have straight steps before or after a turn.
+
+Prints a row for each solid that contains facets or is not valid, then for each body: the number of
+motions, of solids without facets, their faces, and the largest B-rep tolerance and deviation.
 
 Usage: turning_suite.py [--sliding] BUILD [COUNT] [BODY...]
 COUNT: motions for each body (default 25). BODY: box, ell, star, prism or cylinder (default: all).
