@@ -115,9 +115,9 @@ TEST(BodyMotion, KnowsWhatSlidesAndWhatTurnsInAPlane) {
     if (!isFlat) continue;
     EXPECT_NEAR(std::abs(motion.planeOf(edge)->z()), 1, 1e-12);
   }
-  const BodyMotion straight(
-      body, StepPath(poseAt({0, 0, 0}, 0, Eigen::Vector3d::UnitZ()),
-                     poseAt({20, 5, 3}, 0, Eigen::Vector3d::UnitZ()), Interpolation::Linear));
+  const StepPath line(poseAt({0, 0, 0}, 0, Eigen::Vector3d::UnitZ()),
+                      poseAt({20, 5, 3}, 0, Eigen::Vector3d::UnitZ()), Interpolation::Linear);
+  const BodyMotion straight(body, line);
   EXPECT_FALSE(straight.doesTurn());
   for (std::size_t f = 0; f < body.faces.size(); ++f)
     EXPECT_FALSE(straight.slides(static_cast<int>(f)));
