@@ -24,7 +24,8 @@ BodyMotion::BodyMotion(const ElementaryBody& body, const StepPath& path)
     length_ = std::max(length_, travel);
     shortest_ = std::min(shortest_, travel);
   }
-  for (std::size_t f = 0; f < body.faces.size(); ++f) slides_.push_back(isSliding(f));
+  for (std::size_t f = 0; f < body.faces.size(); ++f)
+    slides_.push_back(isSliding(static_cast<int>(f)));
 }
 
 double BodyMotion::speedOf(int f, const Vector3d& p, double s) const {
@@ -35,29 +36,34 @@ OfTwo BodyMotion::speedOn(const BodyEdge& edge, int f) const {
   return [this, &edge, f](const Vector2d& on) { return speedOf(f, edge.at(on[0]), on[1]); };
 }
 
+double BodyMotion::noSpeed() const { return kNoSpeed * length_; }
+
+bool BodyMotion::isContact(const BodyEdge& edge, int f, double u, Range s) const {
+  constexpr int kTimes = 16;
+  const Vector3d p = edge.at(u);
+  for (int i = 0; i <= kTimes; ++i) {
+    if (std::abs(speedOf(f, p, s.at(static_cast<double>(i) / kTimes))) > noSpeed()) return false;
+  }
+  return true;
+}
+
 std::vector<ZeroArc> BodyMotion::contactsOf(const BodyEdge& edge, int f, Range s) const {
-  constexpr int kTimes = 8;
   constexpr double kInside = 1e-6;  // of the range
   if (slides_[f]) return {};
-  const OfTwo speed = speedOn(edge, f);
-  const auto isZero = [&](double u) {
-    double largest = 0;
-    for (int i = 0; i <= kTimes; ++i)
-      largest = std::max(largest, std::abs(speed({u, s.at(static_cast<double>(i) / kTimes)})));
-    return largest <= kNoSpeed * length_;
-  };
   const Vector2d scale(edge.scale, length_);
   // An end of the edge may be a point of contact all the time. Rounding errors then decide on which
   // side of the end the zeros lie.
   const std::array<double, 2> ends{edge.range.from, edge.range.to};
-  const std::array<bool, 2> isContact{isZero(ends[0]), isZero(ends[1])};
-  if (isContact[0] && isContact[1] && isZero(edge.range.at(0.5))) return {};
+  const std::array<bool, 2> areContacts{isContact(edge, f, ends[0], s),
+                                        isContact(edge, f, ends[1], s)};
+  if (areContacts[0] && areContacts[1] && isContact(edge, f, edge.range.at(0.5), s)) return {};
   Range inner = edge.range;
-  if (isContact[0]) inner.from += kInside * edge.range.length();
-  if (isContact[1]) inner.to -= kInside * edge.range.length();
+  if (areContacts[0]) inner.from += kInside * edge.range.length();
+  if (areContacts[1]) inner.to -= kInside * edge.range.length();
+  const OfTwo speed = speedOn(edge, f);
   std::vector<ZeroArc> arcs = zeroArcs(speed, inner, s, scale);
   for (const int k : {0, 1}) {
-    if (!isContact[k]) continue;
+    if (!areContacts[k]) continue;
     const std::vector<Vector2d> points{Vector2d(ends[k], s.from).cwiseProduct(scale),
                                        Vector2d(ends[k], s.to).cwiseProduct(scale)};
     arcs.emplace_back(speed, scale, Vector2d(0, 1), points);
@@ -68,20 +74,16 @@ std::vector<ZeroArc> BodyMotion::contactsOf(const BodyEdge& edge, int f, Range s
 bool BodyMotion::doesTurn() const { return Moment(path_, 0).angular.norm() > kNoSpeed; }
 
 // Returns whether a face moves only along itself.
-bool BodyMotion::isSliding(std::size_t f) const {
-  constexpr int kTimes = 16, kPoints = 4;
-  double largest = 0;
+bool BodyMotion::isSliding(int f) const {
+  constexpr int kPoints = 4;
   for (const int e : body_.faces[f].edges) {
     const BodyEdge& edge = body_.edges[e];
-    for (int i = 0; i <= kTimes; ++i) {
-      for (int j = 0; j <= kPoints; ++j) {
-        const Vector3d p = edge.at(edge.range.at(static_cast<double>(j) / kPoints));
-        largest = std::max(
-            largest, std::abs(speedOf(static_cast<int>(f), p, static_cast<double>(i) / kTimes)));
-      }
+    for (int j = 0; j <= kPoints; ++j) {
+      if (!isContact(edge, f, edge.range.at(static_cast<double>(j) / kPoints), {0, 1}))
+        return false;
     }
   }
-  return largest <= kNoSpeed * length_;
+  return true;
 }
 
 bool BodyMotion::isOutline(const BodyEdge& edge) const {
@@ -92,7 +94,7 @@ bool BodyMotion::isOutline(const BodyEdge& edge) const {
     for (int j = 0; j <= kPoints; ++j) {
       const Vector3d p = edge.at(edge.range.at(static_cast<double>(j) / kPoints));
       const double a = speedOf(edge.faces[0], p, s), b = speedOf(edge.faces[1], p, s);
-      if (std::min(a, b) < -kNoSpeed * length_ && std::max(a, b) > kNoSpeed * length_) return true;
+      if (std::min(a, b) < -noSpeed() && std::max(a, b) > noSpeed()) return true;
     }
   }
   return false;
@@ -120,7 +122,7 @@ std::optional<Vector3d> BodyMotion::planeOf(const BodyEdge& edge) const {
 std::vector<double> BodyMotion::pinches() const {
   std::vector<double> times{0, 1};
   for (const BodyEdge& edge : body_.edges) {
-    if (edge.faces[1] < 0 || !body_.isConvex(edge) || slidesAt(edge) || planeOf(edge)) continue;
+    if (!body_.isConvex(edge) || slidesAt(edge) || planeOf(edge)) continue;
     const OfTwo other = speedOn(edge, edge.faces[1]);
     for (const ZeroArc& arc : contactsOf(edge, edge.faces[0], {0, 1})) {
       for (const double t : zerosOf([&](double x) { return other(arc.at(x)); }, arc.range()))

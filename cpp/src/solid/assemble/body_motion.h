@@ -53,7 +53,11 @@ class BodyMotion {
 
  private:
   double speedOf(int f, const Eigen::Vector3d& p, double s) const;
-  bool isSliding(std::size_t f) const;
+  // mm per unit of s: slower is taken as rest.
+  double noSpeed() const;
+  // Returns whether a face does not move along its normal at a point of an edge.
+  bool isContact(const BodyEdge& edge, int f, double u, Range s) const;
+  bool isSliding(int f) const;
 
   const ElementaryBody& body_;
   const StepPath& path_;

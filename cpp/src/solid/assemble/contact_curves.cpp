@@ -9,9 +9,7 @@ namespace swept::step {
 using Eigen::Vector3d;
 
 ContactCurves::ContactCurves(const BodySurface& surface, const StepPath& path)
-    : surface_(surface), path_(path), along_(surface.axis) {
-  const Vector3d alongAxis = surface.origin.dot(surface.axis) * surface.axis;
-  origin_ = surface.isPlane ? alongAxis : Vector3d(surface.origin - alongAxis);
+    : surface_(surface), path_(path), origin_(surface.footOfOrigin()), along_(surface.axis) {
   // The angular velocity is constant in coordinates of the body.
   across_ = surface.axis.cross(Moment(path, 0).angular);
   size_ = across_.norm();

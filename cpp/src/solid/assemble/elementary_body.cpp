@@ -3,6 +3,7 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <ShapeUpgrade_ShapeDivideClosed.hxx>
 #include <TopExp.hxx>
@@ -68,16 +69,24 @@ Vector2d BodySurface::parametersOf(const Vector3d& p, double angle) const {
   return {found + 2 * M_PI * std::round((angle - found) / (2 * M_PI)), off.dot(axis)};
 }
 
-bool BodySurface::isSame(const BodySurface& other) const {
-  constexpr double kSame = 1e-9;
-  if (isPlane != other.isPlane || std::abs(radius - other.radius) > kSame) return false;
+Vector3d BodySurface::footOfOrigin() const {
+  const Vector3d alongAxis = origin.dot(axis) * axis;
+  return isPlane ? alongAxis : Vector3d(origin - alongAxis);
+}
+
+bool BodySurface::isAtPlaceOf(const BodySurface& other, double distance) const {
+  constexpr double kSameDirection = 1e-9;
+  if (isPlane != other.isPlane || std::abs(radius - other.radius) > distance) return false;
+  if (axis.cross(other.axis).norm() > kSameDirection) return false;
   const Vector3d off = other.origin - origin;
-  if (isPlane) {
-    return (outward * axis - other.outward * other.axis).norm() < kSame &&
-           std::abs(off.dot(axis)) < kSame;
-  }
-  return outward == other.outward && axis.cross(other.axis).norm() < kSame &&
-         off.cross(axis).norm() < kSame;
+  return (isPlane ? std::abs(off.dot(axis)) : off.cross(axis).norm()) < distance;
+}
+
+bool BodySurface::isSame(const BodySurface& other) const {
+  constexpr double kSame = 1e-9;  // mm
+  const bool isSameSide =
+      isPlane ? (outward * axis).dot(other.outward * other.axis) > 0 : outward == other.outward;
+  return isSameSide && isAtPlaceOf(other, kSame);
 }
 
 bool isElementary(const TopoDS_Shape& body) {
@@ -141,6 +150,13 @@ double ElementaryBody::convexity(const BodyEdge& edge) const {
   const double middle = edge.range.at(0.5);
   const Vector3d normal = surfaceOf(edge.faces[0]).normalAt(edge.at(middle));
   return -intoFace(edge, edge.faces[1], middle).dot(normal);
+}
+
+Range ElementaryBody::anglesOf(int f) const {
+  double v0, v1;
+  Range angles;
+  BRepTools::UVBounds(faces[f].shape, angles.from, angles.to, v0, v1);
+  return angles;
 }
 
 bool ElementaryBody::isCorner(int vertex, int f) const {

@@ -50,6 +50,12 @@ struct BodySurface {
   /// Returns the kernel's parameters of a point of the surface. On a cylinder, the angle is within
   /// pi of the given one.
   Eigen::Vector2d parametersOf(const Eigen::Vector3d& p, double angle) const;
+  /// Returns the foot of the perpendicular from the origin onto the plane or the axis.
+  Eigen::Vector3d footOfOrigin() const;
+  /// Returns whether both are one plane or cylinder up to `distance` (mm), on whichever side the
+  /// body is.
+  bool isAtPlaceOf(const BodySurface& other, double distance) const;
+  /// Returns whether, in addition, the body is on the same side.
   bool isSame(const BodySurface& other) const;
 };
 
@@ -74,6 +80,8 @@ struct ElementaryBody {
   double convexity(const BodyEdge& edge) const;
   /// Returns the unit vector from a point of an edge into a face at the edge.
   Eigen::Vector3d intoFace(const BodyEdge& edge, int f, double u) const;
+  /// Returns the range of the kernel's angle on a face of a cylinder.
+  Range anglesOf(int f) const;
   /// Returns whether a plane face has an angle of less than 180 degrees at a vertex.
   bool isCorner(int vertex, int f) const;
   /// Other edges sweep no surface of the envelope.

@@ -2,7 +2,6 @@
 #include "solid/assemble/fixed_surfaces.h"
 
 #include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_BSplineCurve.hxx>
@@ -24,13 +23,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kSameDirection = 1e-9, kSamePlace = 1e-7;  // rad, mm
-
-// The foot of the perpendicular from the origin onto a plane or an axis.
-Vector3d footOfOrigin(const BodySurface& surface) {
-  const Vector3d alongAxis = surface.origin.dot(surface.axis) * surface.axis;
-  return surface.isPlane ? alongAxis : Vector3d(surface.origin - alongAxis);
-}
+constexpr double kSamePlace = 1e-7;  // mm
 
 }  // namespace
 
@@ -45,10 +38,9 @@ FixedSurfaces::FixedSurfaces(const ElementaryBody& body, const std::vector<Pose>
       Fixed copy{body.surfaceOf(f)};
       BodySurface& carrier = copy.carrier;
       if (!carrier.isPlane) {
-        double u0, u1, v0, v1;
-        BRepTools::UVBounds(body.faces[f].shape, u0, u1, v0, v1);
-        copy.halfWidth = (u1 - u0) / 2;
-        const double middle = (u0 + u1) / 2;
+        const Range angles = body.anglesOf(f);
+        copy.halfWidth = angles.length() / 2;
+        const double middle = angles.at(0.5);
         carrier.x = std::cos(middle) * carrier.x + std::sin(middle) * carrier.y;
       }
       carrier.origin = poses[k].rotation * carrier.origin + poses[k].translation;
@@ -66,9 +58,8 @@ FixedSurfaces::FixedSurfaces(const ElementaryBody& body, const std::vector<Pose>
     std::vector<int>& planes = planeOf_.emplace_back(body.edges.size(), -1);
     for (std::size_t e = 0; e < body.edges.size(); ++e) {
       const BodyEdge& edge = body.edges[e];
-      if (!body.isConvex(edge) || !motion.isOutline(edge)) continue;
       const auto normal = motion.planeOf(edge);
-      if (!normal) continue;
+      if (!normal || !body.isConvex(edge) || !motion.isOutline(edge)) continue;
       BodySurface plane;
       plane.origin = motion.at(edge.at(edge.range.from), 0);
       plane.axis = *normal;
@@ -95,12 +86,10 @@ FixedSurfaces::FixedSurfaces(const ElementaryBody& body, const std::vector<Pose>
 }
 
 bool FixedSurfaces::areSame(const Fixed& a, const Fixed& b) {
-  const BodySurface &s = a.carrier, &t = b.carrier;
-  if (s.isPlane != t.isPlane || std::abs(s.radius - t.radius) > kSamePlace) return false;
-  if (s.axis.cross(t.axis).norm() > kSameDirection) return false;
-  if ((footOfOrigin(s) - footOfOrigin(t)).norm() > kSamePlace) return false;
-  return s.isPlane || ((s.x - t.x).norm() < kSameDirection &&
-                       std::abs(a.halfWidth - b.halfWidth) < kSameDirection);
+  constexpr double kSameAngle = 1e-9;  // rad
+  if (!a.carrier.isAtPlaceOf(b.carrier, kSamePlace)) return false;
+  return a.carrier.isPlane || ((a.carrier.x - b.carrier.x).norm() < kSameAngle &&
+                               std::abs(a.halfWidth - b.halfWidth) < kSameAngle);
 }
 
 int FixedSurfaces::indexOf(const Fixed& fixed) {
@@ -109,7 +98,7 @@ int FixedSurfaces::indexOf(const Fixed& fixed) {
   const auto index = static_cast<int>(same - fixed_.begin());
   if (same == fixed_.end()) {
     Fixed& added = fixed_.emplace_back(fixed);
-    added.carrier.origin = footOfOrigin(fixed.carrier);
+    added.carrier.origin = fixed.carrier.footOfOrigin();
     added.carrier.y = added.carrier.axis.cross(added.carrier.x);
   }
   return index;
@@ -173,13 +162,10 @@ bool FixedSurfaces::doOverlap() const {
   constexpr double kTouching = 1e-6;  // rad; an arc cosine is not more exact
   for (std::size_t i = 0; i < fixed_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      Fixed a = fixed_[i], b = fixed_[j];
-      if (a.carrier.isPlane) continue;
+      const Fixed &a = fixed_[i], &b = fixed_[j];
+      if (a.carrier.isPlane || !a.carrier.isAtPlaceOf(b.carrier, kSamePlace)) continue;
       const double angle = std::acos(std::clamp(a.carrier.x.dot(b.carrier.x), -1.0, 1.0));
-      const bool isApart = angle > a.halfWidth + b.halfWidth - kTouching;
-      a.carrier.x = b.carrier.x;
-      a.halfWidth = b.halfWidth;
-      if (!isApart && areSame(a, b)) return true;
+      if (angle <= a.halfWidth + b.halfWidth - kTouching) return true;
     }
   }
   return false;

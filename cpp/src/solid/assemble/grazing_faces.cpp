@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepClass_FaceClassifier.hxx>
-#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_Line.hxx>
@@ -41,12 +40,12 @@ bool TurningStep::appendGrazes(int surface, int curve) {
       joined.back().to = std::max(joined.back().to, s.to);
     }
   }
+  const Knots straight(1, {w.from, w.to});
+  const auto exact = [&](double x, double t) -> Vector3d {
+    return motion_.at(curves.at(curve, x, t / motion_.length()), t / motion_.length());
+  };
   for (const Range& s : joined) {
     if (s.length() < kSameTime) continue;
-    const Knots straight(1, {w.from, w.to});
-    const auto exact = [&](double x, double t) -> Vector3d {
-      return motion_.at(curves.at(curve, x, t / motion_.length()), t / motion_.length());
-    };
     if (isFixed(exact, w, motion_.timeOf(s))) {
       dropContacts(surface, curve, s);
       continue;
@@ -75,19 +74,21 @@ bool TurningStep::isFixed(const ExactSurface& exact, Range w, Range t) const {
   return fixed_.doesContain(points);
 }
 
+bool TurningStep::belongs(const Contact& contact, int surface, int curve, Range s) const {
+  return body_.faces[contact.face].surface == surface && contact.curve == curve &&
+         contact.s.from >= s.from && contact.s.to <= s.to;
+}
+
 void TurningStep::dropContacts(int surface, int curve, Range s) {
   const auto isDropped = [&](const Contact& contact) {
-    return body_.faces[contact.face].surface == surface && contact.curve == curve &&
-           contact.s.from >= s.from && contact.s.to <= s.to;
+    return belongs(contact, surface, curve, s);
   };
   contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(), isDropped), contacts_.end());
 }
 
 const TurningStep::Graze* TurningStep::grazeOf(const Contact& contact) const {
   for (const Graze& graze : grazes_) {
-    if (graze.surface == body_.faces[contact.face].surface && graze.curve == contact.curve &&
-        graze.s.from <= contact.s.from && graze.s.to >= contact.s.to)
-      return &graze;
+    if (belongs(contact, graze.surface, graze.curve, graze.s)) return &graze;
   }
   return nullptr;
 }
@@ -179,12 +180,11 @@ void TurningStep::appendContactCurve(const Graze& graze, int time, int f, Range 
       return;
   }
   if (!surface.isPlane) {
-    double u0, u1, v0, v1;
-    BRepTools::UVBounds(body_.faces[f].shape, u0, u1, v0, v1);
+    const double angle = body_.anglesOf(f).at(0.5);
     const auto onCap = [&](double x) {
       return cap < static_cast<int>(fixed_.count())
                  ? fixed_.parametersOf(cap, exact(x))
-                 : surface.parametersOf(curves.at(graze.curve, x, time), (u0 + u1) / 2);
+                 : surface.parametersOf(curves.at(graze.curve, x, time), angle);
     };
     if (!addCurveOn(to_.faces[cap].face, edge, onCap, {surface.radius, 1}, w)) return;
   }

@@ -60,7 +60,7 @@ bool isNear(const gp_Pnt& p, const TopoDS_Edge& edge, double distance) {
 class Finder {
  public:
   Finder(const std::vector<SweptFace>& faces, const Sides& sides)
-      : given_(faces), faces_(faces, kTriangleDeflection * sides.detail()), sides_(sides) {}
+      : faces_(faces, kTriangleDeflection * sides.detail()), sides_(sides) {}
 
   std::vector<SweptSection> find(const std::vector<SweptSection>& dividers,
                                  const std::vector<SweptSection>& folds,
@@ -85,9 +85,8 @@ class Finder {
     std::vector<SweptSection> result;
     for (const FaceCurve& curve : dividers_) appendParts(curve, result);
     for (const FaceCurve& curve : sections) appendParts(curve, result);
-    for (std::size_t f = 0; f < given_.size(); ++f) {
-      for (const TopoDS_Edge& edge : given_[f].inner)
-        appendParts({edge, {static_cast<int>(f)}, true}, result);
+    for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
+      for (const TopoDS_Edge& edge : faces_.innerEdges(f)) appendParts({edge, {f}, true}, result);
     }
     return result;
   }
@@ -127,7 +126,7 @@ class Finder {
     std::vector<SharedCurve> shared;
     std::vector<std::pair<int, TopoDS_Edge>> folds;
     // Fixed surfaces may cross between their common edges, too.
-    const bool areFixed = !given_[a].inner.empty() && !given_[b].inner.empty();
+    const bool areFixed = !faces_.innerEdges(a).empty() && !faces_.innerEdges(b).empty();
     for (const int e : faces_.edgesOf(a)) {
       if (!areFixed && faces_.hasEdge(b, e))
         shared.push_back({curveOf(faces_.edge(e)), kCrossing, kAnySine});
@@ -253,19 +252,17 @@ class Finder {
 
   // Finds where borders of other faces cross each other on a face.
   void addCrossings() {
-    for (std::size_t f = 0; f < given_.size(); ++f) {
+    for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
       std::vector<Handle(Geom2d_Curve)> curves;
       std::vector<Bnd_Box2d> boxes;
-      for (const TopoDS_Edge& edge : given_[f].inner) {
+      for (const TopoDS_Edge& edge : faces_.innerEdges(f)) {
         double from, to;
-        const Handle(Geom2d_Curve) whole =
-            BRep_Tool::CurveOnSurface(edge, given_[f].face, from, to);
-        curves.push_back(new Geom2d_TrimmedCurve(whole, from, to));
+        BRep_Tool::Range(edge, from, to);
+        curves.push_back(new Geom2d_TrimmedCurve(faces_.curveOn(f, edge), from, to));
         BndLib_Add2dCurve::Add(curves.back(), from, to, Precision::Confusion(),
                                boxes.emplace_back());
         for (std::size_t i = 0; i + 1 < curves.size(); ++i) {
-          if (!boxes[i].IsOut(boxes.back()))
-            addCrossings(static_cast<int>(f), curves[i], curves.back());
+          if (!boxes[i].IsOut(boxes.back())) addCrossings(f, curves[i], curves.back());
         }
       }
     }
@@ -403,7 +400,6 @@ class Finder {
   // mm: curves of the same two faces that are nearer than this are one.
   static constexpr double kOneCurve = 1e-4;
 
-  const std::vector<SweptFace>& given_;
   const MeshedFaces faces_;
   const Sides& sides_;
   std::vector<FaceCurve> dividers_;

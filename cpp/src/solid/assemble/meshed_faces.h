@@ -60,6 +60,8 @@ class MeshedFaces {
   const TopTools_IndexedMapOfShape& edges() const { return edges_; }
   TopoDS_Edge edge(int e) const { return TopoDS::Edge(edges_(e)); }
   const std::set<int>& edgesOf(int f) const { return faces_[f].edges; }
+  /// Returns the borders of other faces that lie on a face.
+  const std::vector<TopoDS_Edge>& innerEdges(int f) const { return given_[f].inner; }
   bool hasEdge(int f, int e) const { return faces_[f].edges.count(e) != 0; }
   /// Returns the common vertices of two faces that have a common edge; none for other faces.
   std::vector<Eigen::Vector3d> commonVertices(int f, int g) const;

@@ -37,6 +37,9 @@ double reachOf(const ElementaryBody& body, const std::vector<StepPath>& paths) {
 
 std::optional<TurningFaces> turningFaces(const TopoDS_Shape& shape, const Trajectory& trajectory) {
   const ElementaryBody body(shape);
+  const bool isClosed = std::all_of(body.edges.begin(), body.edges.end(),
+                                    [](const BodyEdge& edge) { return edge.faces[1] >= 0; });
+  if (!isClosed) return std::nullopt;
   const std::vector<Pose>& poses = trajectory.poses;
   std::vector<StepPath> paths;
   std::vector<BodyMotion> motions;
@@ -57,11 +60,11 @@ std::optional<TurningFaces> turningFaces(const TopoDS_Shape& shape, const Trajec
     for (std::size_t f = 0; f < body.faces.size(); ++f) {
       const int surface = fixed.surfaceOf(k, f);
       of.push_back(surface >= 0 ? surface : static_cast<int>(result.faces.size()));
-      if (surface < 0)
+      if (surface < 0) {
         result.faces.push_back({posed[k].of(body.faces[f]), static_cast<int>(k), {}});
-      for (const int e : body.faces[f].edges) {
-        if (surface >= 0) fixed.add(surface, posed[k].of(body.edges[e]));
+        continue;
       }
+      for (const int e : body.faces[f].edges) fixed.add(surface, posed[k].of(body.edges[e]));
     }
   }
   for (std::size_t k = 0; k < paths.size(); ++k) {

@@ -102,7 +102,6 @@ bool TurningStep::makePaths(Span& span) const {
 bool TurningStep::appendSheet(int e) {
   const BodyEdge& edge = body_.edges[e];
   for (Span& span : spans_) span.sheets.push_back(-1);
-  if (edge.faces[1] < 0) return false;
   if (!body_.isConvex(edge) || !motion_.isOutline(edge) || motion_.planeOf(edge)) return true;
   const Knots line(1, {edge.range.from, edge.range.to});
   const auto fitted = fitSheet(

@@ -87,6 +87,9 @@ class TurningStep {
   // Returns whether a grazing surface lies in a fixed surface. So it does where a face that slides
   // continues smoothly into a cylinder.
   bool isFixed(const ExactSurface& exact, Range w, Range t) const;
+  // Returns whether a contact curve of a surface sweeps the points of contact within these times.
+  bool belongs(const Contact& contact, int surface, int curve, Range s) const;
+  // Drops the contacts of a grazing surface that is not needed.
   void dropContacts(int surface, int curve, Range s);
   const Graze* grazeOf(const Contact& contact) const;
   // Appends the curve in which what an edge sweeps continues into a grazing surface.
