@@ -1,9 +1,9 @@
 // Surfaces in which faces or edges of a moving body stay: faces that slide along themselves during
 // a step, faces that are in one surface at several poses, and straight edges that turn in a plane.
 // In:      the body at each pose.
-// Out:     one candidate for each surface, so large that it covers the whole sweep. The curves on
-// it
-//          that may be edges of the swept volume: edges of the copies, and paths of their vertices.
+// Out:     one candidate for each surface, so large that it covers the whole sweep. The
+//          curves on it that may be edges of the swept volume are edges of the copies, and paths
+//          of their vertices.
 // Units:   mm, rad; world coordinates.
 // Cost:    O(n^2) for n copies of faces.
 // Method:  What moves in a surface sweeps only parts of this surface. Copies that overlap cannot be
@@ -42,8 +42,8 @@ class FixedSurfaces {
   }
   /// Returns whether one of the surfaces contains all points.
   bool doesContain(const std::vector<Eigen::Vector3d>& points) const;
-  /// Returns whether two of the surfaces overlap. So do parts of one cylinder with different
-  /// borders along the axis.
+  /// Returns whether two of the surfaces overlap. Parts of one cylinder do, if they
+  /// begin at different angles.
   bool doOverlap() const;
 
  private:

@@ -16,7 +16,7 @@ namespace swept::step {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-bool TurningStep::isWholeLine(const Contact& contact) const {
+bool TurningStep::endsExactly(const Contact& contact) const {
   return contact.s.length() < kSameTime || motion_.slidesAt(body_.edges[contact.edge]);
 }
 
@@ -27,7 +27,7 @@ bool TurningStep::appendGrazes(int surface, int curve) {
   std::vector<Range> times;
   for (const Contact& contact : contacts_) {
     if (body_.faces[contact.face].surface != surface || contact.curve != curve) continue;
-    const double wider = isWholeLine(contact) ? 0 : kOneStep;
+    const double wider = endsExactly(contact) ? 0 : kOneStep;
     times.push_back({std::max(0.0, contact.s.from - wider), std::min(1.0, contact.s.to + wider)});
   }
   std::sort(times.begin(), times.end(),

@@ -365,7 +365,7 @@ class Finder {
     }
     if (curve.isDivider) {
       const Vector3d normal = normals.front(), side = normal.cross(tangent).normalized();
-      // Near the face and far from it; it may be part of a very sharp edge.
+      // Some samples are near the face, as the swept volume may have a very sharp wedge there.
       int inside = 0, count = 0;
       for (const double slope : {0.1, 1.0, -1.0, -0.1}) {
         for (const double beside : {-1, 1}) {

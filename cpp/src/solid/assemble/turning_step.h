@@ -76,18 +76,19 @@ class TurningStep {
                       const Handle(Geom_Surface) & surface) const;
   // Finds the paths of points of contact that lie on an edge.
   void findContacts(int e);
-  // Returns whether the whole contact curve meets the border of its face at these times. So it
-  // does if the body moves in a plane: the contact curve is orthogonal to this plane, and meets an
-  // edge that is also orthogonal to it at one time. A grazing surface that went on beyond this
-  // time would be nearly the same as what the edge sweeps.
-  bool isWholeLine(const Contact& contact) const;
+  // Returns whether the grazing surface must end exactly when the contact does. This is so if the
+  // body moves in a plane: the contact curve is orthogonal to this plane, so it reaches an edge
+  // that is orthogonal to it as a whole. A grazing surface that went on beyond this time would be
+  // nearly the same as what the edge sweeps.
+  bool endsExactly(const Contact& contact) const;
   // Appends the surfaces that a contact curve of a surface of the body sweeps, for the times at
   // which it touches a face.
   bool appendGrazes(int surface, int curve);
-  // Returns whether a grazing surface lies in a fixed surface. So it does where a face that slides
-  // continues smoothly into a cylinder.
+  // Returns whether a grazing surface lies in a fixed surface. This happens where a face
+  // that slides continues smoothly into a cylinder.
   bool isFixed(const ExactSurface& exact, Range w, Range t) const;
-  // Returns whether a contact curve of a surface sweeps the points of contact within these times.
+  // Returns whether the points of contact lie on this contact curve of this surface, within these
+  // times.
   bool belongs(const Contact& contact, int surface, int curve, Range s) const;
   // Drops the contacts of a grazing surface that is not needed.
   void dropContacts(int surface, int curve, Range s);
