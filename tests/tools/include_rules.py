@@ -59,7 +59,7 @@ MAY_INCLUDE = {
     "solid/model": BELOW | {"solid/carrier", "solid/mesh", "solid/recognise"},
     "solid/text": BELOW | {"solid/carrier", "solid/mesh", "solid/model"},
     # Makes the solid of a sweep from the faces and edges of the body, with the kernel.
-    "solid/assemble": BELOW | {"solid/carrier", "solid/sweep"},
+    "solid/assemble": BELOW | {"solid/carrier", "solid/sweep", "solid/mesh"},
     "solid/kernel": BELOW
     | {f"solid/{r}" for r in "carrier mesh recognise model text assemble".split()},
     "solid": BELOW

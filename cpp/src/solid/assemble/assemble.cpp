@@ -38,6 +38,7 @@
 
 #include "base/parallel.h"
 #include "solid/assemble/pieces.h"
+#include "solid/assemble/solid_of_faces.h"
 
 namespace swept::step {
 namespace {
@@ -152,130 +153,13 @@ TopoDS_Shape dividedAtSections(const SweptFaces& given, double near) {
   }
 }
 
-double volumeOf(const TopoDS_Shape& shape) {
-  GProp_GProps properties;
-  BRepGProp::VolumeProperties(shape, properties);
-  return properties.Mass();
-}
-
-// Returns the face on a plane if its surface is a plane B-spline.
-TopoDS_Face onPlane(const TopoDS_Face& face) {
-  constexpr double kPlane = 1e-8;  // mm
-  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
-  if (Handle(Geom_BSplineSurface)::DownCast(surface).IsNull()) return face;
-  const GeomLib_IsPlanarSurface test(surface, kPlane);
-  if (!test.IsPlanar()) return face;
-  double u0, u1, v0, v1;
-  surface->Bounds(u0, u1, v0, v1);
-  gp_Pnt p;
-  gp_Vec alongU, alongV;
-  surface->D1((u0 + u1) / 2, (v0 + v1) / 2, p, alongU, alongV);
-  const gp_Pln plane(gp_Ax3(p, gp_Dir(alongU.Crossed(alongV)), gp_Dir(alongU)));
-  const BRep_Builder builder;
-  TopoDS_Face result;
-  builder.MakeFace(result, new Geom_Plane(plane), BRep_Tool::Tolerance(face));
-  for (TopoDS_Iterator wire(face.Oriented(TopAbs_FORWARD)); wire.More(); wire.Next())
-    builder.Add(result, wire.Value());
-  return TopoDS::Face(result.Oriented(face.Orientation()));
-}
-
-// Makes one solid for each outer shell. Cavities are shells with a negative volume.
-TopoDS_Shape solidsOf(const std::vector<TopoDS_Face>& faces) {
-  const BRep_Builder builder;
-  TopoDS_Compound all;
-  builder.MakeCompound(all);
-  for (const TopoDS_Face& face : faces) builder.Add(all, onPlane(face));
-  TopTools_ListOfShape blocks;
-  BOPTools_AlgoTools::MakeConnexityBlocks(all, TopAbs_EDGE, TopAbs_FACE, blocks);
-  std::vector<TopoDS_Solid> solids;
-  std::vector<TopoDS_Shell> cavities;
-  for (const TopoDS_Shape& block : blocks) {
-    TopoDS_Shell shell;
-    builder.MakeShell(shell);
-    for (TopExp_Explorer face(block, TopAbs_FACE); face.More(); face.Next())
-      builder.Add(shell, face.Current());
-    shell.Closed(Standard_True);
-    if (volumeOf(shell) < 0) {
-      cavities.push_back(shell);
-      continue;
-    }
-    TopoDS_Solid solid;
-    builder.MakeSolid(solid);
-    builder.Add(solid, shell);
-    solids.push_back(solid);
-  }
-  if (solids.empty() || (!cavities.empty() && solids.size() > 1)) return {};
-  for (const TopoDS_Shell& cavity : cavities) builder.Add(solids.front(), cavity);
-  if (solids.size() == 1) return solids.front();
-  TopoDS_Compound result;
-  builder.MakeCompound(result);
-  for (const TopoDS_Solid& solid : solids) builder.Add(result, solid);
-  return result;
-}
-
-// Joins adjacent pieces of one surface, if the kernel can do this.
-TopoDS_Shape joined(const TopoDS_Shape& solids) {
-  try {
-    ShapeUpgrade_UnifySameDomain joiner(solids, Standard_True, Standard_True, Standard_False);
-    joiner.Build();
-    return joiner.Shape();
-  } catch (const Standard_Failure&) {
-    return solids;
-  }
-}
-
-// Raises the tolerances of vertices until they contain the ends of all parameter curves, if these
-// are not too far away.
-void coverEnds(const TopoDS_Shape& shape, double farthest) {
-  const BRep_Builder builder;
-  for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next()) {
-    const TopoDS_Face& face = TopoDS::Face(f.Current());
-    const BRepAdaptor_Surface surface(face, Standard_False);
-    for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) {
-      const TopoDS_Edge edge = TopoDS::Edge(e.Current().Oriented(TopAbs_FORWARD));
-      double from, to;
-      const Handle(Geom2d_Curve) on = BRep_Tool::CurveOnSurface(edge, face, from, to);
-      if (on.IsNull()) continue;
-      for (const bool isFirst : {true, false}) {
-        const TopoDS_Vertex vertex = isFirst ? TopExp::FirstVertex(edge) : TopExp::LastVertex(edge);
-        const gp_Pnt2d end = on->Value(isFirst ? from : to);
-        const double off = surface.Value(end.X(), end.Y()).Distance(BRep_Tool::Pnt(vertex));
-        // Twice, as two ends are compared with each other.
-        if (2 * off > BRep_Tool::Tolerance(vertex) && off < farthest)
-          builder.UpdateVertex(vertex, 2 * off + Precision::Confusion());
-      }
-    }
-  }
-}
-
-// Joins adjacent pieces of one surface. Returns a null shape if the solid cannot be made valid.
-TopoDS_Shape unified(const TopoDS_Shape& solids) {
-  // mm: parameter curves may miss the vertices at their ends by rounding errors.
-  constexpr double kMaxTolerance = 1e-4;
-  for (const TopoDS_Shape& shape : {joined(solids), solids}) {
-    TopTools_IndexedMapOfShape none;
-    BOPTools_AlgoTools::CorrectTolerances(shape, none, kMaxTolerance);
-    if (BRepCheck_Analyzer(shape).IsValid()) return shape;
-    coverEnds(shape, kMaxNear);
-    if (BRepCheck_Analyzer(shape).IsValid()) return shape;
-    ShapeFix_Shape mender(shape);
-    mender.Perform();
-    if (BRepCheck_Analyzer(mender.Shape()).IsValid()) return mender.Shape();
-  }
-  return {};
-}
-
 }  // namespace
 
 AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double volume,
                              double accuracy, const Message_ProgressRange& progress) {
   constexpr int kRounds = 4;
   Message_ProgressScope scope(progress, "", kRounds);
-  const auto solidOf = [&](const std::vector<TopoDS_Face>& pieces) {
-    const TopoDS_Shape solids = solidsOf(pieces);
-    const bool isRight = !solids.IsNull() && std::abs(volumeOf(solids) - volume) <= accuracy;
-    return isRight ? unified(solids) : TopoDS_Shape();
-  };
+  AssembledSweep failed;
   if (faces.sections) {
     // If ends of sections that belong together are farther apart than expected, the faces do not
     // fit together. Then they are divided again with a larger distance.
@@ -283,7 +167,7 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
     std::deque<Pieces> attempts;
     const auto sweepOf = [&](const Pieces& pieces) -> AssembledSweep {
       if (!pieces.openEdges().empty()) return {};
-      return {solidOf(pieces.chosen()), pieces.areCertain(), pieces.filled()};
+      return {solidOf(pieces.chosen(), volume, accuracy), pieces.areCertain(), pieces.filled()};
     };
     for (const double near : std::set<double>{faces.near, kLargerNear, kMaxNear}) {
       if (scope.UserBreak()) return {};
@@ -292,34 +176,42 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
       const AssembledSweep sweep = sweepOf(attempts.emplace_back(divided, sides));
       if (!sweep.shape.IsNull()) return sweep;
     }
+    const auto hasFewerOpenEdges = [](const Pieces& a, const Pieces& b) {
+      return a.openEdges().size() < b.openEdges().size();
+    };
     for (Pieces& pieces : attempts) {
       if (pieces.openEdges().empty()) continue;  // filling would change nothing
       pieces.fillGrooves();
       const AssembledSweep sweep = sweepOf(pieces);
       if (!sweep.shape.IsNull()) return sweep;
     }
+    const auto best = std::min_element(attempts.begin(), attempts.end(), hasFewerOpenEdges);
+    if (best != attempts.end()) failed.parts = best->certain();
   }
-  if (!faces.canFuse) return {};
+  if (!faces.canFuse) return failed;
   Candidates candidates(faces.faces, sides);
-  if (candidates.curvedPairs() > (faces.sections ? kMaxDifficultPairs : kMaxCurvedPairs)) return {};
+  if (candidates.curvedPairs() > (faces.sections ? kMaxDifficultPairs : kMaxCurvedPairs))
+    return failed;
   TopTools_ListOfShape arguments = candidates.used();
   std::size_t before = 0;  // open edges of the previous round
   for (int round = 0; round < kRounds; ++round) {
     const TopoDS_Shape cut = fused(arguments, scope.Next());
-    if (cut.IsNull() || scope.UserBreak()) return {};
+    if (cut.IsNull() || scope.UserBreak()) return failed;
     const Pieces pieces(cut, sides);
+    if (failed.parts.empty()) failed.parts = pieces.certain();
     const std::vector<TopoDS_Edge> open = pieces.openEdges();
     for (const bool cells : {true, false}) {
       if (!cells && !open.empty()) continue;
-      const TopoDS_Shape solid = solidOf(cells ? pieces.aroundCells() : pieces.chosen());
+      const TopoDS_Shape solid =
+          solidOf(cells ? pieces.aroundCells() : pieces.chosen(), volume, accuracy);
       if (!solid.IsNull()) return {solid, false};
     }
-    if (open.empty() || open.size() == before) return {};
+    if (open.empty() || open.size() == before) return failed;
     before = open.size();
     arguments = pieces.looseNear(open);
     candidates.takeNear(open, arguments);
   }
-  return {};
+  return failed;
 }
 
 }  // namespace swept::step

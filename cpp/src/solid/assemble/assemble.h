@@ -21,6 +21,7 @@
 #pragma once
 
 #include <Message_ProgressRange.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct AssembledSweep {
   TopoDS_Shape shape;      ///< null if there is no solid with the volume of the envelope
   bool isCertain = false;  ///< whether the sides of all its faces are certain
   double filled = 0;       ///< mm: the largest width of a groove that the solid does not have
+  /// If `shape` is null: faces of which the samples are certain, with open edges between them.
+  std::vector<TopoDS_Face> parts = {};
 };
 
 /// `faces`: all of which the envelope may consist. `sides`: of the same sweep. `volume` (mm^3) of

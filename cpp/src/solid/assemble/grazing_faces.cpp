@@ -20,7 +20,7 @@ bool TurningStep::endsExactly(const Contact& contact) const {
   return contact.s.length() < kSameTime || motion_.slidesAt(body_.edges[contact.edge]);
 }
 
-bool TurningStep::appendGrazes(int surface, int curve) {
+void TurningStep::appendGrazes(int surface, int curve) {
   constexpr double kWider = 0.05;
   const ContactCurves& curves = curves_[surface];
   const Range w = curves.extent(body_, surface).grown(kWider);
@@ -53,14 +53,16 @@ bool TurningStep::appendGrazes(int surface, int curve) {
     const auto fitted =
         fitSheet(exact, w, motion_.timeOf(s), curves.areStraight() ? &straight : nullptr,
                  kSurfaceBound, kMaxTurningPoles);
-    if (!fitted) return false;
+    if (!fitted) {
+      dropContacts(surface, curve, s);
+      continue;
+    }
     grazes_.push_back({surface, curve, w, s, static_cast<int>(to_.faces.size())});
     to_.faces.push_back(
         {BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), w.from, w.to, motion_.timeOf(s.from),
                                  motion_.timeOf(s.to), Precision::Confusion()),
          SweptFace::kAlone});
   }
-  return true;
 }
 
 bool TurningStep::isFixed(const ExactSurface& exact, Range w, Range t) const {
@@ -93,10 +95,10 @@ const TurningStep::Graze* TurningStep::grazeOf(const Contact& contact) const {
   return nullptr;
 }
 
-bool TurningStep::appendContact(const Contact& contact) {
+void TurningStep::appendContact(const Contact& contact) {
   const BodyEdge& edge = body_.edges[contact.edge];
   const Graze* graze = grazeOf(contact);
-  if (graze == nullptr) return false;
+  if (graze == nullptr) return;
   const ContactCurves& curves = curves_[graze->surface];
   const ZeroArc& arc = contact.arc;
   const TopoDS_Edge shape = fittedEdge(
@@ -115,16 +117,14 @@ bool TurningStep::appendContact(const Contact& contact) {
   };
   if (shape.IsNull() ||
       !addCurveOn(to_.faces[graze->face].face, shape, onGraze, {1, 1}, arc.range()))
-    return false;
+    return;
   SweptSection divider{shape, {graze->face}};
   const int sheet = spans_[contact.span].sheets[contact.edge];
   if (sheet >= 0) {
-    if (!addCurveOn(to_.faces[sheet].face, shape, onSheet, {edge.scale, 1}, arc.range()))
-      return false;
+    if (!addCurveOn(to_.faces[sheet].face, shape, onSheet, {edge.scale, 1}, arc.range())) return;
     divider.faces.push_back(sheet);
   }
   to_.dividers.push_back(divider);
-  return true;
 }
 
 void TurningStep::appendContactCurves(const Graze& graze, int time) {

@@ -106,6 +106,28 @@ std::vector<TopoDS_Face> Pieces::chosen() const {
   return result;
 }
 
+std::vector<TopoDS_Face> Pieces::certain() const {
+  std::vector<char> kept = chosen_;
+  for (bool isChanged = true; isChanged;) {
+    isChanged = false;
+    for (int e = 1; e <= edges_.Extent(); ++e) {
+      const int count = uses(e, kept);
+      if (count == 0 || count == 2) continue;
+      for (const TopoDS_Shape& owner : edges_(e)) {
+        const int f = faces_.FindIndex(owner);
+        if (!kept[f] || (count == 1 && !isDoubtful(f))) continue;
+        kept[f] = 0;
+        isChanged = true;
+      }
+    }
+  }
+  std::vector<TopoDS_Face> result;
+  for (int f = 1; f <= faces_.Extent(); ++f) {
+    if (kept[f]) result.push_back(TopoDS::Face(turned_[f] ? faces_(f).Reversed() : faces_(f)));
+  }
+  return result;
+}
+
 TopTools_ListOfShape Pieces::looseNear(const std::vector<TopoDS_Edge>& edges) const {
   TopTools_MapOfShape loose;
   for (const TopoDS_Edge& edge : edges) {
@@ -146,14 +168,14 @@ bool Pieces::isInside(const TopoDS_Shape& cell) const {
   return 2 * inside > count;
 }
 
-int Pieces::uses(int e) const {
+int Pieces::uses(int e, const std::vector<char>& pieces) const {
   const TopoDS_Edge& edge = TopoDS::Edge(edges_.FindKey(e));
   if (BRep_Tool::Degenerated(edge)) return 0;
   int count = 0;
   TopTools_MapOfShape seen;
   for (const TopoDS_Shape& owner : edges_(e)) {
     const int f = faces_.FindIndex(owner);
-    if (seen.Add(owner) && chosen_[f]) count += BRep_Tool::IsClosed(edge, face(f)) ? 2 : 1;
+    if (seen.Add(owner) && pieces[f]) count += BRep_Tool::IsClosed(edge, face(f)) ? 2 : 1;
   }
   return count;
 }

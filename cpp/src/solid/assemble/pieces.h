@@ -35,6 +35,10 @@ class Pieces {
   /// Returns whether all samples of each chosen piece agree, unless the piece is narrow.
   bool areCertain() const;
 
+  /// Returns the chosen pieces without those that samples doubt at edges that do not have two of
+  /// them. What remains need not be closed.
+  std::vector<TopoDS_Face> certain() const;
+
   /// Tries to close the surface without thin pieces, although samples see the swept volume on one
   /// side of them: a groove may be so thin that its other walls were not found.
   void fillGrooves();
@@ -58,7 +62,8 @@ class Pieces {
   bool isInside(const TopoDS_Shape& cell) const;
 
   // Returns how often chosen pieces use the edge.
-  int uses(int e) const;
+  int uses(int e) const { return uses(e, chosen_); }
+  int uses(int e, const std::vector<char>& pieces) const;
 
   // Returns the edges that a piece uses an odd number of times.
   Chain borderOf(int f) const;

@@ -23,6 +23,7 @@ struct FootPoint {
   double distance;
   std::uint32_t point;
   Vector3d foot;
+  std::int32_t triangle;
 };
 
 // Returns, for each point, its nearest point on the triangles.
@@ -34,7 +35,7 @@ std::vector<FootPoint> feetOf(const std::vector<Vector3d>& points, const TriMesh
     for (std::size_t i = begin; i < end; ++i) {
       const double squared = nearest.query(points[i], HUGE_VAL, 0, hint);
       const Foot foot = footOnTriangle(points[i], mesh, hint);
-      feet[i] = {std::sqrt(squared), static_cast<std::uint32_t>(i), foot.point};
+      feet[i] = {std::sqrt(squared), static_cast<std::uint32_t>(i), foot.point, hint};
     }
   });
   return feet;
@@ -58,6 +59,16 @@ bool passes(const SweptInterior& sweep, const Vector3d& centre, const Vector3d& 
   return false;
 }
 
+// Lowers the distance of a foot point to the distance of the swept volume's surface from there.
+void examine(FootPoint& foot, const Vector3d& point, const SweptInterior& sweep, double accuracy) {
+  const Vector3d along = (point - foot.foot).normalized();
+  for (double radius = accuracy; radius < foot.distance; radius *= 2) {
+    if (!passes(sweep, foot.foot, along, radius)) continue;
+    foot.distance = radius;
+    break;
+  }
+}
+
 }  // namespace
 
 double sweepDeviation(const TriMesh& solid, const std::vector<Vector3d>& points,
@@ -66,14 +77,6 @@ double sweepDeviation(const TriMesh& solid, const std::vector<Vector3d>& points,
   std::sort(feet.begin(), feet.end(), [](const FootPoint& a, const FootPoint& b) {
     return a.distance != b.distance ? a.distance > b.distance : a.point < b.point;
   });
-  const auto examine = [&](FootPoint& foot) {
-    const Vector3d along = (points[foot.point] - foot.foot).normalized();
-    for (double radius = accuracy; radius < foot.distance; radius *= 2) {
-      if (!passes(sweep, foot.foot, along, radius)) continue;
-      foot.distance = radius;
-      break;
-    }
-  };
   const auto far = std::partition_point(
       feet.begin(), feet.end(), [&](const FootPoint& foot) { return foot.distance > tolerance; });
   const auto fraction = static_cast<std::size_t>(kMaxFraction * static_cast<double>(feet.size()));
@@ -84,11 +87,27 @@ double sweepDeviation(const TriMesh& solid, const std::vector<Vector3d>& points,
   while (begin < most && feet[begin].distance > examinedLargest) {
     const std::size_t end = std::min(most, begin + kExaminedAtOnce);
     parallelBlocks(end - begin, 16, [&](std::size_t from, std::size_t until) {
-      for (std::size_t i = begin + from; i < begin + until; ++i) examine(feet[i]);
+      for (std::size_t i = begin + from; i < begin + until; ++i)
+        examine(feet[i], points[feet[i].point], sweep, accuracy);
     });
     for (; begin < end; ++begin) examinedLargest = std::max(examinedLargest, feet[begin].distance);
   }
   return begin < feet.size() ? std::max(examinedLargest, feet[begin].distance) : examinedLargest;
+}
+
+std::vector<FarFoot> feetBeyond(const TriMesh& solid, const std::vector<Vector3d>& points,
+                                const SweptInterior& sweep, double accuracy, double tolerance) {
+  std::vector<FootPoint> feet = feetOf(points, solid);
+  std::erase_if(feet, [&](const FootPoint& foot) { return foot.distance <= tolerance; });
+  parallelBlocks(feet.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      examine(feet[i], points[feet[i].point], sweep, accuracy);
+  });
+  std::vector<FarFoot> result;
+  for (const FootPoint& foot : feet) {
+    if (foot.distance > tolerance) result.push_back({foot.foot, solid.faceOf[foot.triangle]});
+  }
+  return result;
 }
 
 }  // namespace swept::step

@@ -25,4 +25,14 @@ namespace swept::step {
 double sweepDeviation(const TriMesh& solid, const std::vector<Eigen::Vector3d>& points,
                       const SweptInterior& sweep, double accuracy, double tolerance);
 
+struct FarFoot {
+  Eigen::Vector3d point;  ///< on the solid
+  std::int32_t face;      ///< TriMesh::faceOf
+};
+
+/// Returns the points of the solid that are nearest to some of `points`, but farther than
+/// `tolerance` (mm) from the surface of the swept volume.
+std::vector<FarFoot> feetBeyond(const TriMesh& solid, const std::vector<Eigen::Vector3d>& points,
+                                const SweptInterior& sweep, double accuracy, double tolerance);
+
 }  // namespace swept::step

@@ -39,19 +39,19 @@ bool TurningStep::append(const PosedBody& start, const PosedBody& end,
     if (!makePaths(span)) return false;
   }
   for (std::size_t e = 0; e < body_.edges.size(); ++e) {
-    if (!appendSheet(static_cast<int>(e))) return false;
+    appendSheet(static_cast<int>(e));
     findContacts(static_cast<int>(e));
   }
   for (std::size_t i = 0; i < curves_.size(); ++i) {
     for (int curve = 0; curve < curves_[i].count(); ++curve) {
-      if (!appendGrazes(static_cast<int>(i), curve)) return false;
+      appendGrazes(static_cast<int>(i), curve);
     }
   }
   for (const Contact& contact : contacts_) {
     // A plane in which an edge moves is cut by the grazing surface itself.
     const BodyEdge& edge = body_.edges[contact.edge];
     if (motion_.slidesAt(edge) || motion_.planeOf(edge)) continue;
-    if (!appendContact(contact)) return false;
+    appendContact(contact);
   }
   for (const Graze& graze : grazes_) {
     for (const int time : {0, 1}) {
@@ -99,15 +99,15 @@ bool TurningStep::makePaths(Span& span) const {
   return true;
 }
 
-bool TurningStep::appendSheet(int e) {
+void TurningStep::appendSheet(int e) {
   const BodyEdge& edge = body_.edges[e];
   for (Span& span : spans_) span.sheets.push_back(-1);
-  if (!body_.isConvex(edge) || !motion_.isOutline(edge) || motion_.planeOf(edge)) return true;
+  if (!body_.isConvex(edge) || !motion_.isOutline(edge) || motion_.planeOf(edge)) return;
   const Knots line(1, {edge.range.from, edge.range.to});
   const auto fitted = fitSheet(
       [&](double u, double t) { return motion_.at(edge.at(u), t / motion_.length()); }, edge.range,
       {0, motion_.length()}, edge.isStraight ? &line : nullptr, kSurfaceBound, kMaxTurningPoles);
-  if (!fitted) return false;
+  if (!fitted) return;
   for (Span& span : spans_) {
     // The whole surface may intersect itself. The kernel would find points on the wrong part.
     const Handle(Geom_Surface) surface =
@@ -115,7 +115,6 @@ bool TurningStep::appendSheet(int e) {
     span.sheets.back() = static_cast<int>(to_.faces.size());
     to_.faces.push_back({sheetOf(edge, span, surface), SweptFace::kAlone});
   }
-  return true;
 }
 
 TopoDS_Face TurningStep::sheetOf(const BodyEdge& edge, const Span& span,

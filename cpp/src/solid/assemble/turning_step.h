@@ -71,7 +71,7 @@ class TurningStep {
   bool makePaths(Span& span) const;
   // Appends what an edge sweeps: a face for each span. Its parameters are that of the edge, and
   // time.
-  bool appendSheet(int e);
+  void appendSheet(int e);
   TopoDS_Face sheetOf(const BodyEdge& edge, const Span& span,
                       const Handle(Geom_Surface) & surface) const;
   // Finds the paths of points of contact that lie on an edge.
@@ -83,7 +83,7 @@ class TurningStep {
   bool endsExactly(const Contact& contact) const;
   // Appends the surfaces that a contact curve of a surface of the body sweeps, for the times at
   // which it touches a face.
-  bool appendGrazes(int surface, int curve);
+  void appendGrazes(int surface, int curve);
   // Returns whether a grazing surface lies in a fixed surface. This happens where a face
   // that slides continues smoothly into a cylinder.
   bool isFixed(const ExactSurface& exact, Range w, Range t) const;
@@ -94,7 +94,7 @@ class TurningStep {
   void dropContacts(int surface, int curve, Range s);
   const Graze* grazeOf(const Contact& contact) const;
   // Appends the curve in which what an edge sweeps continues into a grazing surface.
-  bool appendContact(const Contact& contact);
+  void appendContact(const Contact& contact);
   // Appends the parts of a contact curve at the start (0) or the end (1) of the step that lie
   // inside of faces.
   void appendContactCurves(const Graze& graze, int time);

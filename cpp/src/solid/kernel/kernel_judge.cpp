@@ -15,6 +15,7 @@
 #include "solid/assemble/assemble.h"
 #include "solid/assemble/body_shape.h"
 #include "solid/assemble/exact_sections.h"
+#include "solid/assemble/facet_filling.h"
 #include "solid/assemble/shape_triangles.h"
 #include "solid/assemble/sides.h"
 #include "solid/assemble/sweep_deviation.h"
@@ -103,27 +104,36 @@ class KernelJudge : public Judge {
     const AssembledSweep assembled =
         assembleSweep(faces, sides, mesh.volume, mesh.area * options.tolerance, scope.Next(4));
     run.checkpoint(Phase::Export);
-    if (assembled.shape.IsNull()) return std::nullopt;
-    brep_.shape = assembled.shape;
-    makeSectionsExact(brep_.shape);
-    std::stringstream text;
-    writeStepFile(brep_.shape, text, "", options, kernel_, run);
-    const TopoDS_Shape read = readStepText(text, kernel_, run);
-    // The kernel's test takes minutes for faces that are nearly tangent.
-    if (!assembled.isCertain && doesIntersectItself(read, scope.Next(2))) return std::nullopt;
-    run.checkpoint(Phase::Export);
-    Assembly assembly;
-    assembly.check = checkShape(read, run, 0.3, 0.5);
-    constexpr double kDeflection = 0.5;  // of the accuracy
-    constexpr double kAngle = 0.5;       // rad; the deflection demands more
-    const ShapeTriangles triangles(read, kDeflection * sides.detail(), kAngle);
-    assembly.deviation =
-        std::max(assembled.filled, sweepDeviation(triangles.of(read), mesh.points, sides.interior(),
-                                                  sides.detail(), options.tolerance));
-    brep_.readBack = read;
-    for (TopExp_Explorer it(read, TopAbs_FACE); it.More(); it.Next())
-      ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];
-    return assembly;
+    TriMesh triangles;
+    if (!assembled.shape.IsNull()) {
+      Assembly assembly = writeAndRead(assembled.shape, options, sides, triangles, run);
+      // The kernel's test takes minutes for faces that are nearly tangent.
+      if (!assembled.isCertain && doesIntersectItself(brep_.readBack, scope.Next(2)))
+        return std::nullopt;
+      assembly.deviation =
+          std::max(assembled.filled, sweepDeviation(triangles, mesh.points, sides.interior(),
+                                                    sides.detail(), options.tolerance));
+      return assembly;
+    }
+    // Some faces are wrong only after they were read back.
+    constexpr int kRounds = 3;
+    std::vector<Eigen::Vector3d> wrong;
+    for (int round = 0; round < kRounds; ++round) {
+      const FilledSolid filled =
+          fillWithFacets(assembled.parts, mesh, sides, options.tolerance, wrong, run);
+      if (filled.shape.IsNull()) return std::nullopt;
+      Assembly assembly = writeAndRead(filled.shape, options, sides, triangles, run);
+      assembly.facesByKind[surfaceKindName(CarrierKind::Plane)] -= filled.planes;
+      assembly.facesByKind[surfaceKindName(CarrierKind::Sheet)] -= filled.cones;
+      assembly.facesByKind[surfaceKindName(CarrierKind::Facet)] += filled.planes + filled.cones;
+      assembly.deviation = sweepDeviation(triangles, mesh.points, sides.interior(), sides.detail(),
+                                          options.tolerance);
+      if (assembly.deviation <= options.tolerance) return assembly;
+      for (const FarFoot& foot :
+           feetBeyond(triangles, mesh.points, sides.interior(), sides.detail(), options.tolerance))
+        wrong.push_back(foot.point);
+    }
+    return std::nullopt;
   }
   void writeAssembled(std::ostream& out, const std::string& name, const SolidOptions& options,
                       RunContext& run) override {
@@ -157,6 +167,26 @@ class KernelJudge : public Judge {
   }
 
  private:
+  // Takes the shape as that of the solid, writes it, and reads it again. `triangles`: of the faces
+  // that were read.
+  Assembly writeAndRead(const TopoDS_Shape& shape, const SolidOptions& options, const Sides& sides,
+                        TriMesh& triangles, RunContext& run) {
+    brep_.shape = shape;
+    makeSectionsExact(brep_.shape);
+    std::stringstream text;
+    writeStepFile(brep_.shape, text, "", options, kernel_, run);
+    brep_.readBack = readStepText(text, kernel_, run);
+    run.checkpoint(Phase::Export);
+    Assembly assembly;
+    assembly.check = checkShape(brep_.readBack, run, 0.3, 0.5);
+    constexpr double kDeflection = 0.5;  // of the accuracy
+    constexpr double kAngle = 0.5;       // rad; the deflection demands more
+    triangles =
+        ShapeTriangles(brep_.readBack, kDeflection * sides.detail(), kAngle).of(brep_.readBack);
+    for (TopExp_Explorer it(brep_.readBack, TopAbs_FACE); it.More(); it.Next())
+      ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];
+    return assembly;
+  }
   TopoDS_Shape readAssembled(const std::string& file, SolidFormat format, RunContext& run) {
     return format == SolidFormat::Brep ? readBrepFile(file, run) : readStepFile(file, kernel_, run);
   }

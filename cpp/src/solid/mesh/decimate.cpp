@@ -49,6 +49,7 @@ class Decimator {
             RunContext& run)
       : in_(std::move(start.mesh)),
         partition_(std::move(start.partition)),
+        fixed_(std::move(start.fixed)),
         effort_(effort),
         run_(run) {
     state_.tolerance = tolerance;
@@ -63,7 +64,7 @@ class Decimator {
     start.watched.resize(in_.triangles.size(), 0);
     watchLongEdges(state_, start.watched);
     classify();
-    putBordersOnSurfaces();
+    if (fixed_.empty()) putBordersOnSurfaces();
   }
 
   Decimated work() {
@@ -146,7 +147,8 @@ class Decimator {
     state_.kind.assign(state_.mesh.vertices.size(), VertexKind::Free);
     for (std::size_t v = 0; v < state_.mesh.vertices.size(); ++v) {
       if (patch[v] < 0) continue;
-      const bool slides = open[v] && !several[v] && borders[v] == 2 && effort_ != Effort::Again;
+      const bool slides = open[v] && !several[v] && borders[v] == 2 && effort_ != Effort::Again &&
+                          (fixed_.empty() || !fixed_[v]);
       state_.kind[v] = slides ? VertexKind::Border : VertexKind::Fixed;
     }
   }
@@ -167,6 +169,13 @@ class Decimator {
       out.attached.push_back(std::move(points));
     }
     out.deviation = std::sqrt(out.deviation);
+    if (!fixed_.empty()) {
+      out.fixed.assign(small.vertices.size(), 0);
+      for (std::size_t t = 0; t < left.size(); ++t) {
+        for (int k = 0; k < 3; ++k)
+          out.fixed[small.triangles[t][k]] = fixed_[state_.mesh.triangles[left[t]][k]];
+      }
+    }
     out.mesh = buildHalfEdges(small, run_);
     listPatches(partition_, out.partition);
     return out;
@@ -174,12 +183,19 @@ class Decimator {
 
   const HalfEdgeMesh in_;
   const Partition partition_;
+  const std::vector<char> fixed_;
   const Effort effort_;
   RunContext& run_;
   CollapseState state_;
 };
 
 }  // namespace
+
+Decimated asOpenGround(HalfEdgeMesh mesh) {
+  Decimated result{std::move(mesh), {}, {}, {}, 0};
+  result.partition.patchOf.assign(result.mesh.triangles.size(), -1);
+  return result;
+}
 
 Decimated thinOpenGround(Decimated start, double limit, RunContext& run) {
   const HalfEdgeMesh& mesh = start.mesh;

@@ -28,6 +28,9 @@ struct Decimated {
   /// For each triangle, 1 if `attached` already has points on its long edges.
   std::vector<char> watched;
   double deviation = 0;  ///< mm: largest distance of an attached point from its triangle
+  /// For each vertex, 1 if it must stay although it is on a border. Then borders do not move onto
+  /// surfaces. Empty: none.
+  std::vector<char> fixed = {};
 };
 
 enum class Effort {
@@ -39,6 +42,9 @@ enum class Effort {
 /// Limit of thinning, as a fraction of the tolerance of the solid. Without thinning, the edge
 /// collapse of 500,000 triangles took two thirds of the time of an export.
 constexpr double kThinFraction = 0.15;
+
+/// Returns the mesh as open ground only.
+Decimated asOpenGround(HalfEdgeMesh mesh);
 
 /// Thins open ground at a few microseconds per triangle, before the first call of decimate().
 /// Removes vertices without a patch if the surface moves by at most `limit`.

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/facet_filling.h"
+
+#include <BOPTools_AlgoTools.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "geometry/nearest_triangle.h"
+#include "geometry/self_intersections.h"
+#include "solid/assemble/hole_facets.h"
+#include "solid/assemble/hole_triangles.h"
+#include "solid/assemble/open_edges.h"
+#include "solid/assemble/shape_triangles.h"
+#include "solid/assemble/solid_of_faces.h"
+#include "solid/assemble/sweep_deviation.h"
+#include "solid/mesh/decimate.h"
+
+namespace swept::step {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Limit of thinning before the mesh is cut, as a fraction of the tolerance.
+constexpr double kThinFirst = 0.05;
+
+TopoDS_Compound compoundOf(const std::vector<TopoDS_Face>& faces) {
+  const BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (const TopoDS_Face& face : faces) builder.Add(all, face);
+  return all;
+}
+
+// Returns triangles of all faces, TriMesh::faceOf with their indices.
+TriMesh trianglesOf(const std::vector<TopoDS_Face>& faces, double deflection) {
+  constexpr double kAngle = 0.9;  // rad; the deflection demands more
+  const TopoDS_Compound all = compoundOf(faces);
+  return ShapeTriangles(all, deflection, kAngle).of(all);
+}
+
+void markInvalid(const std::vector<TopoDS_Face>& faces, std::vector<char>& isMarked) {
+  constexpr double kMaxTolerance = 1e-4;  // mm
+  const TopTools_IndexedMapOfShape none;
+  BOPTools_AlgoTools::CorrectTolerances(compoundOf(faces), none, kMaxTolerance);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (!BRepCheck_Analyzer(faces[f]).IsValid()) isMarked[f] = 1;
+  }
+}
+
+// Marks faces whose triangles intersect those of another face, or of itself.
+void markIntersecting(const TriMesh& apart, RunContext& run, std::vector<char>& isMarked) {
+  // The triangles of adjacent faces have corners at the same places.
+  TriMesh mesh;
+  std::vector<std::int32_t> faceOf;
+  std::map<std::array<double, 3>, std::int32_t> places;
+  for (std::size_t t = 0; t < apart.triangles.size(); ++t) {
+    std::array<std::int32_t, 3> corners;
+    for (int k = 0; k < 3; ++k) {
+      const Vector3d& p = apart.vertices[apart.triangles[t][k]];
+      const auto [place, isNew] =
+          places.try_emplace({p.x(), p.y(), p.z()}, static_cast<std::int32_t>(places.size()));
+      if (isNew) mesh.vertices.push_back(p);
+      corners[k] = place->second;
+    }
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+    mesh.triangles.push_back(corners);
+    faceOf.push_back(apart.faceOf[t]);
+  }
+  for (const auto& [a, b] : findSelfIntersections(mesh, {}, run).pairs)
+    isMarked[faceOf[a]] = isMarked[faceOf[b]] = 1;
+}
+
+// Marks the faces that are nearest to some points.
+void markAt(const std::vector<Vector3d>& points, const std::vector<TopoDS_Face>& faces,
+            double deflection, std::vector<char>& isMarked) {
+  if (points.empty() || faces.empty()) return;
+  const TriMesh triangles = trianglesOf(faces, deflection);
+  const NearestTriangle nearest(triangles.vertices, triangles.triangles);
+  for (const Vector3d& p : points) {
+    std::int32_t triangle = -1;
+    nearest.query(p, HUGE_VAL, 0, triangle);
+    isMarked[triangles.faceOf[triangle]] = 1;
+  }
+}
+
+}  // namespace
+
+FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& mesh,
+                           const Sides& sides, double tolerance, const std::vector<Vector3d>& wrong,
+                           RunContext& run) {
+  const HalfEdgeMesh thin = thinOpenGround(asOpenGround(mesh), kThinFirst * tolerance, run).mesh;
+  const NearestTriangle original(mesh.points, mesh.triangles, NearestTriangle::Walks::Yes);
+  const double deflection = kSagFraction * tolerance;
+  const TopoDS_Shape whole = joined(compoundOf(faces), true);
+  faces.clear();
+  for (TopExp_Explorer it(whole, TopAbs_FACE); it.More(); it.Next())
+    faces.push_back(TopoDS::Face(it.Current()));
+  // Returns whether faces were left out.
+  const auto leaveOut = [&](std::vector<char> isWrong) {
+    for (char& mark : isWrong) mark = mark == 0;
+    return keepMarked(faces, isWrong);
+  };
+  std::vector<char> isWrong(faces.size(), 0);
+  markInvalid(faces, isWrong);
+  markAt(wrong, faces, deflection, isWrong);
+  leaveOut(isWrong);
+  while (!faces.empty()) {
+    run.checkpoint(Phase::Export);
+    std::vector<OpenEdge> open = openEdgesOf(faces);
+    HoleTriangles triangles(faces, std::move(open), thin, tolerance);
+    isWrong.assign(faces.size(), 0);
+    triangles.cut(isWrong);
+    if (leaveOut(isWrong)) continue;
+    triangles.simplify(original, run, isWrong);
+    if (leaveOut(isWrong)) continue;
+    const HoleFacets facets(faces, triangles);
+    if (facets.failed()) {
+      isWrong[*facets.failed()] = 1;
+      leaveOut(isWrong);
+      continue;
+    }
+    const std::vector<TopoDS_Face> all = facets.all();
+    const TriMesh fine = trianglesOf(all, deflection);
+    std::vector<char> isMarked(all.size(), 0);
+    for (const FarFoot& foot :
+         feetBeyond(fine, mesh.points, sides.interior(), sides.detail(), tolerance))
+      isMarked[foot.face] = 1;
+    markIntersecting(fine, run, isMarked);
+    markInvalid(all, isMarked);
+    for (std::size_t f = 0; f < all.size(); ++f) {
+      if (!isMarked[f]) continue;
+      if (f < faces.size()) {
+        isWrong[f] = 1;
+      } else {
+        triangles.markAround(facets.triangleOf(f - faces.size()), isWrong);
+      }
+    }
+    if (leaveOut(isWrong)) continue;
+    if (std::find(isMarked.begin(), isMarked.end(), 1) != isMarked.end()) return {};
+    const std::vector<TopoDS_Face> closed = facets.joinedAll();
+    FilledSolid result;
+    result.cones = facets.cones();
+    result.planes = static_cast<std::int64_t>(closed.size() - faces.size()) - result.cones;
+    result.shape = solidOf(closed, mesh.volume, mesh.area * tolerance, true);
+    return result;
+  }
+  return {};
+}
+
+}  // namespace swept::step

@@ -1,0 +1,39 @@
+// Closes faces that have open edges with facets of the envelope's mesh.
+// In:      faces of a sweep that are right, with their normals outward; the closed mesh of the
+// whole
+//          envelope.
+// Out:     a valid solid that consists of these faces and of facets. Faces at which facets
+//          are impossible are left out, so facets take their place.
+// Units:   mm.
+// Cost:    some tenths of a second for each attempt; 3 to 30 attempts.
+// Method:  hole_triangles.h finds the triangles of the mesh that fill the holes, hole_facets.h
+// makes
+//          faces of them. Then faces are left out that are not valid, that intersect others, or
+//          that are not on the surface of the swept volume, and all is done again.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <cstdint>
+#include <vector>
+
+#include "solid/assemble/sides.h"
+#include "solid/mesh/half_edge.h"
+#include "swept/run_context.h"
+
+namespace swept::step {
+
+struct FilledSolid {
+  TopoDS_Shape shape;                  ///< null if there is no such solid
+  std::int64_t planes = 0, cones = 0;  ///< facets of both kinds (hole_facets.h)
+};
+
+/// `sides`: of the sweep. `tolerance`: mm, how far the facets may be off the mesh. `wrong`: points
+/// of faces that must be left out.
+FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& mesh,
+                           const Sides& sides, double tolerance,
+                           const std::vector<Eigen::Vector3d>& wrong, RunContext& run);
+
+}  // namespace swept::step

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/hole_triangles.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
+#include <GCPnts_TangentialDeflection.hxx>
+#include <GProp_GProps.hxx>
+#include <TopExp.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/self_intersections.h"
+#include "solid/assemble/kernel_geometry.h"
+#include "solid/mesh/flip_needles.h"
+
+namespace swept::step {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Fractions of the tolerance: how far triangles may be off the mesh, and within which a vertex of
+/// the mesh becomes a vertex of an edge.
+constexpr double kFacetFraction = 0.8, kSnapFraction = 0.1;
+constexpr double kMaxTurn = 0.9;     // rad, between points of a curved edge
+constexpr double kMinHeight = 1e-5;  // mm, of a triangle
+
+std::vector<double> areasOf(const std::vector<TopoDS_Face>& faces) {
+  std::vector<double> areas;
+  for (const TopoDS_Face& face : faces) {
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(face, properties);
+    areas.push_back(std::abs(properties.Mass()));
+  }
+  return areas;
+}
+
+std::array<double, 3> placeOf(const Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+
+}  // namespace
+
+HoleTriangles::HoleTriangles(const std::vector<TopoDS_Face>& faces, std::vector<OpenEdge> open,
+                             const HalfEdgeMesh& mesh, double tolerance)
+    : faces_(faces),
+      area_(areasOf(faces)),
+      open_(std::move(open)),
+      tolerance_(tolerance),
+      imprint_(mesh, kSnapFraction * tolerance),
+      points_(open_.size()),
+      paths_(open_.size()) {}
+
+void HoleTriangles::cut(std::vector<char>& isWrong) {
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    if (!isWrong[open_[i].face] && !insertPoints(i)) isWrong[open_[i].face] = 1;
+  }
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    if (isWrong[open_[i].face] || connect(i)) continue;
+    std::set<int> both{open_[i].face};
+    if (imprint_.stoppedBy() >= 0) both.insert(open_[imprint_.stoppedBy()].face);
+    markSmallest(both, isWrong);
+  }
+  if (std::count(isWrong.begin(), isWrong.end(), 1) == 0) findHoles(isWrong);
+}
+
+bool HoleTriangles::insertPoints(std::size_t edge) {
+  const BRepAdaptor_Curve curve(open_[edge].edge);
+  const GCPnts_TangentialDeflection points(curve, kMaxTurn, kSagFraction * tolerance_);
+  const auto insertEnd = [&](const TopoDS_Vertex& vertex) -> std::optional<std::int32_t> {
+    const void* key = vertex.TShape().get();
+    const auto known = ends_.find(key);
+    if (known != ends_.end()) return known->second;
+    const auto inserted = imprint_.insert(vectorOf(BRep_Tool::Pnt(vertex).XYZ()));
+    if (inserted) ends_[key] = *inserted;
+    return inserted;
+  };
+  const int last = points.NbPoints();
+  for (int i = 1; i <= last; ++i) {
+    const auto vertex = i == 1      ? insertEnd(TopExp::FirstVertex(open_[edge].edge))
+                        : i == last ? insertEnd(TopExp::LastVertex(open_[edge].edge))
+                                    : imprint_.insert(vectorOf(points.Value(i).XYZ()));
+    if (!vertex) return false;
+    paths_[edge].params.push_back(points.Parameter(i));
+    points_[edge].push_back(*vertex);
+  }
+  return last > 1;
+}
+
+bool HoleTriangles::connect(std::size_t edge) {
+  const BRepAdaptor_Curve curve(open_[edge].edge);
+  const std::vector<std::int32_t>& points = points_[edge];
+  const std::vector<double> params = paths_[edge].params;
+  EdgePath path{{points.front()}, {params.front()}};
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const auto part = imprint_.connect(points[i], points[i + 1], static_cast<int>(edge));
+    if (part.empty()) return false;
+    std::vector<double> lengths{0};
+    for (std::size_t k = 1; k < part.size(); ++k)
+      lengths.push_back(lengths.back() + imprint_.distance(part[k - 1], part[k]));
+    for (std::size_t k = 1; k < part.size(); ++k) {
+      const double fraction = lengths.back() > 0 ? lengths[k] / lengths.back() : 1;
+      path.params.push_back(params[i] + fraction * (params[i + 1] - params[i]));
+      path.vertices.push_back(part[k]);
+      if (k + 1 < part.size())
+        imprint_.move(part[k], vectorOf(curve.Value(path.params.back()).XYZ()));
+    }
+  }
+  paths_[edge] = std::move(path);
+  return true;
+}
+
+template <class Use>
+void HoleTriangles::forSteps(const Use& use) const {
+  for (std::size_t e = 0; e < open_.size(); ++e) {
+    const std::vector<std::int32_t>& vertices = paths_[e].vertices;
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+      const std::int32_t a = vertices[i], b = vertices[i + 1];
+      if (open_[e].isForward) {
+        use(open_[e].face, a, b);
+      } else {
+        use(open_[e].face, b, a);
+      }
+    }
+  }
+}
+
+void HoleTriangles::findHoles(std::vector<char>& isWrong) {
+  const std::vector<std::int32_t> region = imprint_.regions();
+  std::vector<double> votes(1 + *std::max_element(region.begin(), region.end()), 0.0);
+  forSteps([&](int, std::int32_t from, std::int32_t to) {
+    const double length = imprint_.distance(from, to);
+    votes[region[imprint_.triangleBeside(from, to)]] -= length;
+    votes[region[imprint_.triangleBeside(to, from)]] += length;
+  });
+  isHole_.clear();
+  for (const std::int32_t r : region) isHole_.push_back(votes[r] > 0);
+  forSteps([&](int face, std::int32_t from, std::int32_t to) {
+    if (isHole_[imprint_.triangleBeside(from, to)] || !isHole_[imprint_.triangleBeside(to, from)])
+      isWrong[face] = 1;
+  });
+}
+
+void HoleTriangles::simplify(const NearestTriangle& original, RunContext& run,
+                             std::vector<char>& isWrong) {
+  const std::vector<Vector3d> before = imprint_.points();
+  Decimated start = asOpenGround(buildHalfEdges({before, imprint_.triangles()}, run));
+  Patch covered;
+  covered.surface.axis.setZero();  // without directions: nothing is demanded of its triangles
+  start.partition.patches.push_back(covered);
+  for (std::size_t t = 0; t < isHole_.size(); ++t) {
+    if (!isHole_[t]) start.partition.patchOf[t] = 0;
+  }
+  start.fixed.assign(before.size(), 0);
+  for (const std::vector<std::int32_t>& points : points_) {
+    for (const std::int32_t v : points) start.fixed[v] = 1;
+  }
+  takeSimplified(decimate(std::move(start), kFacetFraction * tolerance_, original, run), before);
+  markNeedles(isWrong);
+  markIntersecting(run, isWrong);
+}
+
+void HoleTriangles::takeSimplified(const Decimated& simple, const std::vector<Vector3d>& before) {
+  mesh_ = simple.mesh;
+  std::map<std::array<double, 3>, std::int32_t> left;
+  for (std::size_t v = 0; v < mesh_.points.size(); ++v)
+    left[placeOf(mesh_.points[v])] = static_cast<std::int32_t>(v);
+  for (std::size_t e = 0; e < open_.size(); ++e) {
+    EdgePath path;
+    for (std::size_t i = 0; i < paths_[e].vertices.size(); ++i) {
+      const auto at = left.find(placeOf(before[paths_[e].vertices[i]]));
+      if (at == left.end()) continue;
+      path.vertices.push_back(at->second);
+      path.params.push_back(paths_[e].params[i]);
+    }
+    paths_[e] = std::move(path);
+  }
+  forSteps(
+      [&](int face, std::int32_t from, std::int32_t to) { faceAt_[std::minmax(from, to)] = face; });
+  const std::vector<std::int32_t>& patchOf = simple.partition.patchOf;
+  flipNeedles(mesh_, 2 * kSagFraction * tolerance_, [&](std::int32_t h) {
+    return patchOf[h / 3] < 0 && patchOf[mesh_.opposite[h] / 3] < 0;
+  });
+  for (std::size_t t = 0; t < patchOf.size(); ++t) {
+    if (patchOf[t] < 0) inHoles_.push_back(static_cast<std::int32_t>(t));
+  }
+}
+
+void HoleTriangles::markNeedles(std::vector<char>& isWrong) const {
+  for (const std::int32_t t : inHoles_) {
+    if (heightOf(mesh_, t) < kMinHeight) markAround(t, isWrong);
+  }
+}
+
+void HoleTriangles::markIntersecting(RunContext& run, std::vector<char>& isWrong) const {
+  TriMesh triangles{mesh_.points, {}};
+  for (const std::int32_t t : inHoles_) triangles.triangles.push_back(mesh_.triangles[t]);
+  for (const auto& [a, b] : findSelfIntersections(triangles, {}, run).pairs) {
+    markAround(inHoles_[a], isWrong);
+    markAround(inHoles_[b], isWrong);
+  }
+}
+
+void HoleTriangles::markAround(std::int32_t t, std::vector<char>& isWrong) const {
+  std::set<int> around;
+  for (int k = 0; k < 3; ++k) {
+    const std::int32_t first = 3 * t + k;
+    std::int32_t h = first;
+    do {
+      const auto found = faceAt_.find(std::minmax(mesh_.origin(h), mesh_.target(h)));
+      if (found != faceAt_.end()) around.insert(found->second);
+      h = mesh_.opposite[HalfEdgeMesh::previous(h)];
+    } while (h != first);
+  }
+  markSmallest(around, isWrong);
+}
+
+void HoleTriangles::markSmallest(const std::set<int>& faces, std::vector<char>& isWrong) const {
+  const auto smallest = std::min_element(faces.begin(), faces.end(),
+                                         [&](int a, int b) { return area_[a] < area_[b]; });
+  if (smallest != faces.end()) isWrong[*smallest] = 1;
+}
+
+}  // namespace swept::step

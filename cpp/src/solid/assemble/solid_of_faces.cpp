@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/solid_of_faces.h"
+
+#include <BOPTools_AlgoTools.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom2d_Curve.hxx>
+#include <GeomLib_IsPlanarSurface.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_Plane.hxx>
+#include <Precision.hxx>
+#include <ShapeFix_Shape.hxx>
+#include <ShapeUpgrade_UnifySameDomain.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+#include <cmath>
+
+#include "solid/assemble/divide_faces.h"
+
+namespace swept::step {
+namespace {
+
+double volumeOf(const TopoDS_Shape& shape) {
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(shape, properties);
+  return properties.Mass();
+}
+
+// Returns the face on a plane if its surface is a plane B-spline.
+TopoDS_Face onPlane(const TopoDS_Face& face) {
+  constexpr double kPlane = 1e-8;  // mm
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  if (Handle(Geom_BSplineSurface)::DownCast(surface).IsNull()) return face;
+  const GeomLib_IsPlanarSurface test(surface, kPlane);
+  if (!test.IsPlanar()) return face;
+  double u0, u1, v0, v1;
+  surface->Bounds(u0, u1, v0, v1);
+  gp_Pnt p;
+  gp_Vec alongU, alongV;
+  surface->D1((u0 + u1) / 2, (v0 + v1) / 2, p, alongU, alongV);
+  const gp_Pln plane(gp_Ax3(p, gp_Dir(alongU.Crossed(alongV)), gp_Dir(alongU)));
+  const BRep_Builder builder;
+  TopoDS_Face result;
+  builder.MakeFace(result, new Geom_Plane(plane), BRep_Tool::Tolerance(face));
+  for (TopoDS_Iterator wire(face.Oriented(TopAbs_FORWARD)); wire.More(); wire.Next())
+    builder.Add(result, wire.Value());
+  return TopoDS::Face(result.Oriented(face.Orientation()));
+}
+
+// Makes one solid for each outer shell. Cavities are shells with a negative volume.
+TopoDS_Shape solidsOf(const std::vector<TopoDS_Face>& faces) {
+  const BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (const TopoDS_Face& face : faces) builder.Add(all, onPlane(face));
+  TopTools_ListOfShape blocks;
+  BOPTools_AlgoTools::MakeConnexityBlocks(all, TopAbs_EDGE, TopAbs_FACE, blocks);
+  std::vector<TopoDS_Solid> solids;
+  std::vector<TopoDS_Shell> cavities;
+  for (const TopoDS_Shape& block : blocks) {
+    TopoDS_Shell shell;
+    builder.MakeShell(shell);
+    for (TopExp_Explorer face(block, TopAbs_FACE); face.More(); face.Next())
+      builder.Add(shell, face.Current());
+    shell.Closed(Standard_True);
+    if (volumeOf(shell) < 0) {
+      cavities.push_back(shell);
+      continue;
+    }
+    TopoDS_Solid solid;
+    builder.MakeSolid(solid);
+    builder.Add(solid, shell);
+    solids.push_back(solid);
+  }
+  if (solids.empty() || (!cavities.empty() && solids.size() > 1)) return {};
+  for (const TopoDS_Shell& cavity : cavities) builder.Add(solids.front(), cavity);
+  if (solids.size() == 1) return solids.front();
+  TopoDS_Compound result;
+  builder.MakeCompound(result);
+  for (const TopoDS_Solid& solid : solids) builder.Add(result, solid);
+  return result;
+}
+
+// Raises the tolerances of vertices until they contain the ends of all parameter curves, if these
+// are not too far away.
+void coverEnds(const TopoDS_Shape& shape, double farthest) {
+  const BRep_Builder builder;
+  for (TopExp_Explorer f(shape, TopAbs_FACE); f.More(); f.Next()) {
+    const TopoDS_Face& face = TopoDS::Face(f.Current());
+    const BRepAdaptor_Surface surface(face, Standard_False);
+    for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) {
+      const TopoDS_Edge edge = TopoDS::Edge(e.Current().Oriented(TopAbs_FORWARD));
+      double from, to;
+      const Handle(Geom2d_Curve) on = BRep_Tool::CurveOnSurface(edge, face, from, to);
+      if (on.IsNull()) continue;
+      for (const bool isFirst : {true, false}) {
+        const TopoDS_Vertex vertex = isFirst ? TopExp::FirstVertex(edge) : TopExp::LastVertex(edge);
+        const gp_Pnt2d end = on->Value(isFirst ? from : to);
+        const double off = surface.Value(end.X(), end.Y()).Distance(BRep_Tool::Pnt(vertex));
+        // Twice, as two ends are compared with each other.
+        if (2 * off > BRep_Tool::Tolerance(vertex) && off < farthest)
+          builder.UpdateVertex(vertex, 2 * off + Precision::Confusion());
+      }
+    }
+  }
+}
+
+// Returns whether the shape consists of as many solids as another one.
+bool hasSolidsOf(const TopoDS_Shape& shape, const TopoDS_Shape& other) {
+  const auto count = [](const TopoDS_Shape& of) {
+    TopTools_IndexedMapOfShape found;
+    TopExp::MapShapes(of, TopAbs_SOLID, found);
+    return found.Extent();
+  };
+  return count(shape) == count(other);
+}
+
+// Returns the solids, repaired if necessary; a null shape if they cannot be made valid.
+TopoDS_Shape repaired(const TopoDS_Shape& solids) {
+  // mm: parameter curves may miss the vertices at their ends by rounding errors.
+  constexpr double kMaxTolerance = 1e-4;
+  const TopTools_IndexedMapOfShape none;
+  BOPTools_AlgoTools::CorrectTolerances(solids, none, kMaxTolerance);
+  if (BRepCheck_Analyzer(solids).IsValid()) return solids;
+  coverEnds(solids, kMaxNear);
+  if (BRepCheck_Analyzer(solids).IsValid()) return solids;
+  ShapeFix_Shape mender(solids);
+  mender.Perform();
+  const TopoDS_Shape mended = mender.Shape();
+  const bool isRight = hasSolidsOf(mended, solids) && BRepCheck_Analyzer(mended).IsValid();
+  return isRight ? mended : TopoDS_Shape();
+}
+
+}  // namespace
+
+TopoDS_Shape joined(const TopoDS_Shape& shape, bool withEdges) {
+  try {
+    ShapeUpgrade_UnifySameDomain joiner(shape, withEdges, Standard_True, Standard_False);
+    joiner.Build();
+    return joiner.Shape();
+  } catch (const Standard_Failure&) {
+    return shape;
+  }
+}
+
+TopoDS_Shape solidOf(const std::vector<TopoDS_Face>& faces, double volume, double accuracy,
+                     bool areJoined) {
+  const TopoDS_Shape solids = solidsOf(faces);
+  if (solids.IsNull() || std::abs(volumeOf(solids) - volume) > accuracy) return {};
+  if (!areJoined) {
+    const TopoDS_Shape whole = joined(solids, true);
+    const TopoDS_Shape solid = repaired(whole);
+    if (!solid.IsNull()) return solid;
+  }
+  return repaired(solids);
+}
+
+}  // namespace swept::step

@@ -1,0 +1,22 @@
+// Makes solids from faces that share their edges.
+// Units:   mm.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <vector>
+
+namespace swept::step {
+
+/// Returns a solid, or a compound of one solid for each outer shell. Unless `areJoined`, adjacent
+/// faces of one surface are joined. `faces`: closed, with their normals outward. Returns a null
+/// shape if the volume (mm^3) differs by more than `accuracy`, or if the solid is not valid.
+TopoDS_Shape solidOf(const std::vector<TopoDS_Face>& faces, double volume, double accuracy,
+                     bool areJoined = false);
+
+/// Returns the shape with adjacent faces of one surface joined, if the kernel can do this.
+/// `withEdges`: whether adjacent edges of one curve are joined, too.
+TopoDS_Shape joined(const TopoDS_Shape& shape, bool withEdges);
+
+}  // namespace swept::step
