@@ -1,0 +1,155 @@
+// Solids with holes between their faces that facets of a mesh fill.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/facet_filling.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <cmath>
+#include <map>
+
+#include "judge/solid_judge.h"
+#include "solid/test_meshes.h"
+#include "support/shapes.h"
+
+namespace swept::step {
+namespace {
+
+using Eigen::Vector3d;
+
+std::vector<TopoDS_Face> facesOf(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape found;
+  TopExp::MapShapes(shape, TopAbs_FACE, found);
+  std::vector<TopoDS_Face> faces;
+  for (int i = 1; i <= found.Extent(); ++i) faces.push_back(TopoDS::Face(found(i)));
+  return faces;
+}
+
+class FacetFilling : public testing::Test {
+ protected:
+  // Fills the holes of faces of a body at rest, whose mesh is given.
+  void fill(const TopoDS_Shape& body, const std::vector<TopoDS_Face>& faces, const TriMesh& mesh) {
+    Trajectory rest;
+    rest.poses.resize(2);
+    const Sides sides(body, rest);
+    filled_ = fillWithFacets(faces, buildHalfEdges(mesh, run_), sides, kTolerance, {}, run_);
+    ASSERT_FALSE(filled_.shape.IsNull());
+    judged_ = test::judgeSolid(filled_.shape, 9, true);
+    EXPECT_TRUE(judged_.valid);
+    EXPECT_EQ(judged_.solids, 1);
+    EXPECT_TRUE(judged_.faults.empty()) << (judged_.details.empty() ? "" : judged_.details.front());
+    EXPECT_LE(judged_.edgeTolerance, 1e-6);
+    EXPECT_LE(judged_.blockError, 1e-9);
+  }
+  int count(GeomAbs_SurfaceType kind) const {
+    int found = 0;
+    for (const TopoDS_Face& face : facesOf(filled_.shape))
+      found += BRepAdaptor_Surface(face, Standard_False).GetType() == kind;
+    return found;
+  }
+
+  static constexpr double kTolerance = 0.1;
+  RunContext run_;
+  FilledSolid filled_;
+  test::JudgedSolid judged_;
+};
+
+TEST_F(FacetFilling, OneFacetReplacesASideOfABox) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(12, 8, 5).Shape();
+  std::vector<TopoDS_Face> faces = facesOf(box);
+  faces.erase(faces.begin() + 2);
+  fill(box, faces, test::makeBox({0, 0, 0}, {12, 8, 5}));
+  EXPECT_EQ(judged_.faces, 6);
+  EXPECT_EQ(filled_.planes, 1);
+  EXPECT_EQ(filled_.cones, 0);
+  EXPECT_NEAR(judged_.volume, 480, 1e-9);
+}
+
+TEST_F(FacetFilling, ACylinderKeepsItsWallWithoutItsTop) {
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(5, 8).Shape();
+  std::vector<TopoDS_Face> faces;
+  for (const TopoDS_Face& face : facesOf(rod)) {
+    const BRepAdaptor_Surface surface(face);
+    if (surface.GetType() != GeomAbs_Plane || surface.Plane().Location().Z() < 4)
+      faces.push_back(face);
+  }
+  ASSERT_EQ(faces.size(), 2u);
+  fill(rod, faces, test::makeCylinder(5, 0, 8, 90));
+  EXPECT_EQ(count(GeomAbs_Cylinder), 1);
+  EXPECT_GT(filled_.planes, 0);
+  EXPECT_NEAR(judged_.volume, 25 * M_PI * 8, 0.05);
+}
+
+TEST_F(FacetFilling, FacetsReplaceTheWallOfACylinder) {
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(5, 8).Shape();
+  std::vector<TopoDS_Face> faces;
+  for (const TopoDS_Face& face : facesOf(rod)) {
+    if (BRepAdaptor_Surface(face).GetType() == GeomAbs_Plane) faces.push_back(face);
+  }
+  fill(rod, faces, test::makeCylinder(5, 0, 8, 90));
+  EXPECT_EQ(count(GeomAbs_Cylinder), 0);
+  EXPECT_GT(filled_.planes, 10);
+  EXPECT_NEAR(judged_.volume, 25 * M_PI * 8, 0.02 * 25 * M_PI * 8);
+}
+
+TEST_F(FacetFilling, ConesContinueHalfAWall) {
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(5, 8).Shape();
+  std::vector<TopoDS_Face> faces;
+  for (const TopoDS_Face& face : facesOf(BRepPrimAPI_MakeCylinder(5, 4).Shape())) {
+    const BRepAdaptor_Surface surface(face);
+    if (surface.GetType() != GeomAbs_Plane || surface.Plane().Location().Z() < 2)
+      faces.push_back(face);
+  }
+  fill(rod, faces, test::makeCylinder(5, 0, 8, 90));
+  EXPECT_EQ(count(GeomAbs_Cylinder), 1);
+  EXPECT_GT(filled_.cones, 4);
+  EXPECT_NEAR(judged_.volume, 25 * M_PI * 8, 0.02 * 25 * M_PI * 8);
+}
+
+TEST_F(FacetFilling, AFaceThatIsNotOnTheSurfaceIsLeftOut) {
+  // A dent takes the place of the top.
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(12, 8, 5).Shape();
+  std::vector<TopoDS_Face> faces;
+  TopoDS_Face top;
+  for (const TopoDS_Face& face : facesOf(box)) {
+    const gp_Pln plane = BRepAdaptor_Surface(face).Plane();
+    if (plane.Location().Z() > 4 && std::abs(plane.Axis().Direction().Z()) > 0.5) {
+      top = face;
+    } else {
+      faces.push_back(face);
+    }
+  }
+  ASSERT_FALSE(top.IsNull());
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(top, TopAbs_EDGE, edges);
+  const TopoDS_Vertex bottom = BRepBuilderAPI_MakeVertex(gp_Pnt(6, 4, 3));
+  std::map<const void*, TopoDS_Edge> slopes;
+  const auto slopeAt = [&](const TopoDS_Vertex& corner) {
+    TopoDS_Edge& edge = slopes[corner.TShape().get()];
+    if (edge.IsNull()) edge = BRepBuilderAPI_MakeEdge(corner, bottom).Edge();
+    return edge;
+  };
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges(i));
+    const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(edge, slopeAt(TopExp::FirstVertex(edge)),
+                                                     slopeAt(TopExp::LastVertex(edge)));
+    TopoDS_Face side = BRepBuilderAPI_MakeFace(wire);
+    if (BRepAdaptor_Surface(side).Plane().Axis().Direction().Z() < 0) side.Reverse();
+    faces.push_back(side);
+  }
+  fill(box, faces, test::boxMesh(12, 8, 5));
+  EXPECT_EQ(judged_.faces, 6);
+  EXPECT_NEAR(judged_.volume, 480, 1e-9);
+}
+
+}  // namespace
+}  // namespace swept::step
