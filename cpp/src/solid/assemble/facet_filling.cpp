@@ -30,6 +30,8 @@ using Eigen::Vector3d;
 
 /// Limit of thinning before the mesh is cut, as a fraction of the tolerance.
 constexpr double kThinFirst = 0.05;
+/// If the faces have less of the area than this, the solid is not worth the time.
+constexpr double kMinFraction = 0.1;
 
 TopoDS_Compound compoundOf(const std::vector<TopoDS_Face>& faces) {
   const BRep_Builder builder;
@@ -103,10 +105,24 @@ FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& m
   faces.clear();
   for (TopExp_Explorer it(whole, TopAbs_FACE); it.More(); it.Next())
     faces.push_back(TopoDS::Face(it.Current()));
+  std::map<const void*, int> finer;  // by face
+  const auto finerOf = [&](const TopoDS_Face& face) -> int& { return finer[face.TShape().get()]; };
   // Returns whether faces were left out.
   const auto leaveOut = [&](std::vector<char> isWrong) {
     for (char& mark : isWrong) mark = mark == 0;
     return keepMarked(faces, isWrong);
+  };
+  // Does so only if more vertices on their edges have not helped.
+  const auto refineOrLeaveOut = [&](std::vector<char> isWrong) {
+    constexpr int kMaxFiner = 2;
+    bool isChanged = false;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      if (!isWrong[f] || finerOf(faces[f]) == kMaxFiner) continue;
+      ++finerOf(faces[f]);
+      isWrong[f] = 0;
+      isChanged = true;
+    }
+    return leaveOut(isWrong) || isChanged;
   };
   std::vector<char> isWrong(faces.size(), 0);
   markInvalid(faces, isWrong);
@@ -115,16 +131,19 @@ FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& m
   while (!faces.empty()) {
     run.checkpoint(Phase::Export);
     std::vector<OpenEdge> open = openEdgesOf(faces);
-    HoleTriangles triangles(faces, std::move(open), thin, tolerance);
+    std::vector<int> finerByFace;
+    for (const TopoDS_Face& face : faces) finerByFace.push_back(finerOf(face));
+    HoleTriangles triangles(faces, finerByFace, std::move(open), thin, tolerance);
+    if (triangles.faceArea() < kMinFraction * mesh.area) break;
     isWrong.assign(faces.size(), 0);
     triangles.cut(isWrong);
     if (leaveOut(isWrong)) continue;
     triangles.simplify(original, run, isWrong);
-    if (leaveOut(isWrong)) continue;
+    if (refineOrLeaveOut(isWrong)) continue;
     const HoleFacets facets(faces, triangles);
     if (facets.failed()) {
       isWrong[*facets.failed()] = 1;
-      leaveOut(isWrong);
+      refineOrLeaveOut(isWrong);
       continue;
     }
     const std::vector<TopoDS_Face> all = facets.all();

@@ -53,10 +53,7 @@ void TurningStep::appendGrazes(int surface, int curve) {
     const auto fitted =
         fitSheet(exact, w, motion_.timeOf(s), curves.areStraight() ? &straight : nullptr,
                  kSurfaceBound, kMaxTurningPoles);
-    if (!fitted) {
-      dropContacts(surface, curve, s);
-      continue;
-    }
+    if (!fitted) continue;
     grazes_.push_back({surface, curve, w, s, static_cast<int>(to_.faces.size())});
     to_.faces.push_back(
         {BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), w.from, w.to, motion_.timeOf(s.from),
@@ -97,9 +94,8 @@ const TurningStep::Graze* TurningStep::grazeOf(const Contact& contact) const {
 
 void TurningStep::appendContact(const Contact& contact) {
   const BodyEdge& edge = body_.edges[contact.edge];
-  const Graze* graze = grazeOf(contact);
-  if (graze == nullptr) return;
-  const ContactCurves& curves = curves_[graze->surface];
+  const Graze* graze = grazeOf(contact);  // null if there is no regular surface
+  const int sheet = spans_[contact.span].sheets[contact.edge];
   const ZeroArc& arc = contact.arc;
   const TopoDS_Edge shape = fittedEdge(
       [&](double t) {
@@ -107,24 +103,26 @@ void TurningStep::appendContact(const Contact& contact) {
         return motion_.at(edge.at(on.x()), on.y());
       },
       arc.range());
-  const auto onGraze = [&](double t) {
-    const Vector2d on = arc.at(t);
-    return Vector2d(curves.positionAt(edge.at(on.x())), motion_.timeOf(on.y()));
-  };
-  const auto onSheet = [&](double t) {
-    const Vector2d on = arc.at(t);
-    return Vector2d(on.x(), motion_.timeOf(on.y()));
-  };
-  if (shape.IsNull() ||
-      !addCurveOn(to_.faces[graze->face].face, shape, onGraze, {1, 1}, arc.range()))
-    return;
-  SweptSection divider{shape, {graze->face}};
-  const int sheet = spans_[contact.span].sheets[contact.edge];
+  if (shape.IsNull()) return;
+  SweptSection divider{shape, {}};
+  if (graze != nullptr) {
+    const ContactCurves& curves = curves_[graze->surface];
+    const auto onGraze = [&](double t) {
+      const Vector2d on = arc.at(t);
+      return Vector2d(curves.positionAt(edge.at(on.x())), motion_.timeOf(on.y()));
+    };
+    if (!addCurveOn(to_.faces[graze->face].face, shape, onGraze, {1, 1}, arc.range())) return;
+    divider.faces.push_back(graze->face);
+  }
   if (sheet >= 0) {
+    const auto onSheet = [&](double t) {
+      const Vector2d on = arc.at(t);
+      return Vector2d(on.x(), motion_.timeOf(on.y()));
+    };
     if (!addCurveOn(to_.faces[sheet].face, shape, onSheet, {edge.scale, 1}, arc.range())) return;
     divider.faces.push_back(sheet);
   }
-  to_.dividers.push_back(divider);
+  if (!divider.faces.empty()) to_.dividers.push_back(divider);
 }
 
 void TurningStep::appendContactCurves(const Graze& graze, int time) {

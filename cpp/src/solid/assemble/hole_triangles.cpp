@@ -10,6 +10,7 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/self_intersections.h"
 #include "solid/assemble/kernel_geometry.h"
@@ -40,9 +41,10 @@ std::array<double, 3> placeOf(const Vector3d& p) { return {p.x(), p.y(), p.z()};
 
 }  // namespace
 
-HoleTriangles::HoleTriangles(const std::vector<TopoDS_Face>& faces, std::vector<OpenEdge> open,
-                             const HalfEdgeMesh& mesh, double tolerance)
+HoleTriangles::HoleTriangles(const std::vector<TopoDS_Face>& faces, const std::vector<int>& finer,
+                             std::vector<OpenEdge> open, const HalfEdgeMesh& mesh, double tolerance)
     : faces_(faces),
+      finer_(finer),
       area_(areasOf(faces)),
       open_(std::move(open)),
       tolerance_(tolerance),
@@ -63,9 +65,14 @@ void HoleTriangles::cut(std::vector<char>& isWrong) {
   if (std::count(isWrong.begin(), isWrong.end(), 1) == 0) findHoles(isWrong);
 }
 
+double HoleTriangles::faceArea() const { return std::accumulate(area_.begin(), area_.end(), 0.0); }
+
 bool HoleTriangles::insertPoints(std::size_t edge) {
   const BRepAdaptor_Curve curve(open_[edge].edge);
-  const GCPnts_TangentialDeflection points(curve, kMaxTurn, kSagFraction * tolerance_);
+  // Half as long segments have a quarter of the sag.
+  const double length = std::pow(0.5, finer_[open_[edge].face]);
+  const GCPnts_TangentialDeflection points(curve, kMaxTurn * length,
+                                           kSagFraction * tolerance_ * length * length);
   const auto insertEnd = [&](const TopoDS_Vertex& vertex) -> std::optional<std::int32_t> {
     const void* key = vertex.TShape().get();
     const auto known = ends_.find(key);

@@ -36,9 +36,10 @@ struct EdgePath {
 
 class HoleTriangles {
  public:
-  /// `mesh`: thinned, if it is large. Keeps references to the faces.
-  HoleTriangles(const std::vector<TopoDS_Face>& faces, std::vector<OpenEdge> open,
-                const HalfEdgeMesh& mesh, double tolerance);
+  /// `finer`: by face, how often its edges get more vertices than the tolerance demands. `mesh`:
+  /// thinned, if it is large. Keeps references to the faces.
+  HoleTriangles(const std::vector<TopoDS_Face>& faces, const std::vector<int>& finer,
+                std::vector<OpenEdge> open, const HalfEdgeMesh& mesh, double tolerance);
 
   /// Cuts the mesh. Marks faces that must be left out, if this fails.
   void cut(std::vector<char>& isWrong);
@@ -46,6 +47,8 @@ class HoleTriangles {
   /// `original` mesh. Marks faces at triangles without area, and at triangles that intersect.
   void simplify(const NearestTriangle& original, RunContext& run, std::vector<char>& isWrong);
 
+  /// mm^2: of all faces.
+  double faceArea() const;
   const std::vector<OpenEdge>& open() const { return open_; }
   /// By open edge.
   const std::vector<EdgePath>& paths() const { return paths_; }
@@ -71,6 +74,7 @@ class HoleTriangles {
   void markIntersecting(RunContext& run, std::vector<char>& isWrong) const;
 
   const std::vector<TopoDS_Face>& faces_;
+  const std::vector<int> finer_;    // by face
   const std::vector<double> area_;  // mm^2, by face
   const std::vector<OpenEdge> open_;
   const double tolerance_;
