@@ -15,6 +15,7 @@
 
 #include "geometry/nearest_triangle.h"
 #include "geometry/self_intersections.h"
+#include "solid/assemble/exact_sections.h"
 #include "solid/assemble/hole_facets.h"
 #include "solid/assemble/hole_triangles.h"
 #include "solid/assemble/open_edges.h"
@@ -169,6 +170,9 @@ FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& m
     result.cones = facets.cones();
     result.planes = static_cast<std::int64_t>(closed.size() - faces.size()) - result.cones;
     result.shape = solidOf(closed, mesh.volume, mesh.area * tolerance, true);
+    // Facets are exact already.
+    makeSectionsExact(
+        compoundOf({closed.begin(), closed.begin() + static_cast<std::ptrdiff_t>(faces.size())}));
     return result;
   }
   return {};

@@ -106,6 +106,7 @@ class KernelJudge : public Judge {
     run.checkpoint(Phase::Export);
     TriMesh triangles;
     if (!assembled.shape.IsNull()) {
+      makeSectionsExact(assembled.shape);
       Assembly assembly = writeAndRead(assembled.shape, options, sides, triangles, run);
       // The kernel's test takes minutes for faces that are nearly tangent.
       if (!assembled.isCertain && doesIntersectItself(brep_.readBack, scope.Next(2)))
@@ -172,7 +173,6 @@ class KernelJudge : public Judge {
   Assembly writeAndRead(const TopoDS_Shape& shape, const SolidOptions& options, const Sides& sides,
                         TriMesh& triangles, RunContext& run) {
     brep_.shape = shape;
-    makeSectionsExact(brep_.shape);
     std::stringstream text;
     writeStepFile(brep_.shape, text, "", options, kernel_, run);
     brep_.readBack = readStepText(text, kernel_, run);
