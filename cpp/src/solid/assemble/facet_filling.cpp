@@ -2,6 +2,7 @@
 #include "solid/assemble/facet_filling.h"
 
 #include <BOPTools_AlgoTools.hxx>
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
@@ -32,7 +33,7 @@ using Eigen::Vector3d;
 /// Limit of thinning before the mesh is cut, as a fraction of the tolerance.
 constexpr double kThinFirst = 0.05;
 /// If the faces have less of the area than this, the solid is not worth the time.
-constexpr double kMinFraction = 0.1;
+constexpr double kMinFraction = 0.4;
 
 TopoDS_Compound compoundOf(const std::vector<TopoDS_Face>& faces) {
   const BRep_Builder builder;
@@ -167,8 +168,10 @@ FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& m
     if (std::find(isMarked.begin(), isMarked.end(), 1) != isMarked.end()) return {};
     const std::vector<TopoDS_Face> closed = facets.joinedAll();
     FilledSolid result;
-    result.cones = facets.cones();
-    result.planes = static_cast<std::int64_t>(closed.size() - faces.size()) - result.cones;
+    for (std::size_t f = faces.size(); f < closed.size(); ++f) {
+      const auto kind = BRepAdaptor_Surface(closed[f], Standard_False).GetType();
+      ++(kind == GeomAbs_Plane ? result.planes : result.cones);
+    }
     result.shape = solidOf(closed, mesh.volume, mesh.area * tolerance, true);
     // Facets are exact already.
     makeSectionsExact(

@@ -221,7 +221,6 @@ void HoleFacets::appendFacet(Corners corners) {
       return;
     }
     face = coneFace(cone, sides, vertexOf(corners[2]));
-    ++cones_;
   } else {
     TopoDS_Wire wire;
     builder.MakeWire(wire);

@@ -38,7 +38,6 @@ class HoleFacets {
   std::int32_t triangleOf(std::size_t facet) const { return triangleOf_[facet]; }
   /// Returns all(), with facets that lie in one plane joined.
   std::vector<TopoDS_Face> joinedAll() const;
-  std::int64_t cones() const { return cones_; }
 
  private:
   using Ends = std::pair<std::int32_t, std::int32_t>;  // vertices of triangles, sorted
@@ -73,7 +72,6 @@ class HoleFacets {
   std::vector<TopoDS_Face> cut_, facets_;
   std::vector<std::int32_t> triangleOf_;
   std::int32_t triangle_ = -1;  // whose facets are being made
-  std::int64_t cones_ = 0;
   std::optional<int> failed_;
 };
 

@@ -70,6 +70,14 @@ std::string kindOf(const TopoDS_Face& face) {
   }
 }
 
+// Counts some faces of a kind as facets.
+void countAsFacets(CarrierKind kind, std::int64_t count, Assembly& assembly) {
+  if (count == 0) return;
+  const std::string name = surfaceKindName(kind);
+  assembly.facesByKind[surfaceKindName(CarrierKind::Facet)] += count;
+  if ((assembly.facesByKind[name] -= count) == 0) assembly.facesByKind.erase(name);
+}
+
 class KernelJudge : public Judge {
  public:
   std::vector<std::int32_t> setModel(const Model& model, RunContext& run) override {
@@ -124,9 +132,8 @@ class KernelJudge : public Judge {
           fillWithFacets(assembled.parts, mesh, sides, options.tolerance, wrong, run);
       if (filled.shape.IsNull()) return std::nullopt;
       Assembly assembly = writeAndRead(filled.shape, options, sides, triangles, run);
-      assembly.facesByKind[surfaceKindName(CarrierKind::Plane)] -= filled.planes;
-      assembly.facesByKind[surfaceKindName(CarrierKind::Sheet)] -= filled.cones;
-      assembly.facesByKind[surfaceKindName(CarrierKind::Facet)] += filled.planes + filled.cones;
+      countAsFacets(CarrierKind::Plane, filled.planes, assembly);
+      countAsFacets(CarrierKind::Sheet, filled.cones, assembly);
       assembly.deviation = sweepDeviation(triangles, mesh.points, sides.interior(), sides.detail(),
                                           options.tolerance);
       if (assembly.deviation <= options.tolerance) return assembly;

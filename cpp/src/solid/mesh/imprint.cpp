@@ -43,11 +43,14 @@ std::optional<std::int32_t> Imprint::insert(const Vector3d& p) {
   }
   const auto& corners = triangles_[best];
   const Vector3d foot = footOnTriangle(p, on_[corners[0]], on_[corners[1]], on_[corners[2]]).point;
-  for (const std::int32_t v : corners) {
-    if (isTaken_[v] || (foot - on_[v]).norm() > snap_) continue;
+  const auto take = [&](std::int32_t v) {
     isTaken_[v] = 1;
     points_[v] = p;
     return v;
+  };
+  for (const std::int32_t v : corners) {
+    if (!isTaken_[v] && (foot - on_[v]).norm() <= snap_) return take(v);
+    if (foot == on_[v]) return std::nullopt;
   }
   // An edge that is much nearer than the corners is cut.
   constexpr double kNearEdge = 0.02;
@@ -56,26 +59,12 @@ std::optional<std::int32_t> Imprint::insert(const Vector3d& p) {
     const Vector3d along = on_[b] - on_[a];
     const double at = (foot - on_[a]).dot(along) / along.squaredNorm();
     const double off = (foot - on_[a] - at * along).norm();
-    if (at <= 0 || at >= 1) continue;
-    const double toEnd = std::min(at, 1 - at) * along.norm();
-    if (off > kNearEdge * toEnd) continue;
-    const auto owner = owners_.find(key(a, b));
-    if (owner != owners_.end()) {
-      stoppedBy_ = owner->second;
-      return std::nullopt;
-    }
-    const std::int32_t v = splitEdge(3 * best + k, foot);
-    isTaken_[v] = 1;
-    points_[v] = p;
-    return v;
+    if (at <= 0 || at >= 1 || off > kNearEdge * std::min(at, 1 - at) * along.norm()) continue;
+    stoppedBy_ = ownerOf(a, b);
+    if (stoppedBy_ >= 0) return std::nullopt;
+    return take(splitEdge(3 * best + k, foot));
   }
-  for (int k = 0; k < 3; ++k) {
-    if ((foot - on_[corners[k]]).norm() == 0) return std::nullopt;
-  }
-  const std::int32_t v = splitTriangle(best, foot);
-  isTaken_[v] = 1;
-  points_[v] = p;
-  return v;
+  return take(splitTriangle(best, foot));
 }
 
 std::vector<std::int32_t> Imprint::connect(std::int32_t from, std::int32_t to, int owner) {
@@ -144,11 +133,8 @@ std::optional<std::int32_t> Imprint::step(std::int32_t at, std::int32_t to, cons
     if (isTaken_[v] || (on_[v] - crossing).norm() > snap_) continue;
     return v;
   }
-  const auto owner = owners_.find(key(p, q));
-  if (owner != owners_.end()) {
-    stoppedBy_ = owner->second;
-    return std::nullopt;
-  }
+  stoppedBy_ = ownerOf(p, q);
+  if (stoppedBy_ >= 0) return std::nullopt;
   return splitEdge(best, crossing);
 }
 
