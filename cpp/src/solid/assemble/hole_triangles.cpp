@@ -43,8 +43,7 @@ std::array<double, 3> placeOf(const Vector3d& p) { return {p.x(), p.y(), p.z()};
 
 HoleTriangles::HoleTriangles(const std::vector<TopoDS_Face>& faces, const std::vector<int>& finer,
                              std::vector<OpenEdge> open, const HalfEdgeMesh& mesh, double tolerance)
-    : faces_(faces),
-      finer_(finer),
+    : finer_(finer),
       area_(areasOf(faces)),
       open_(std::move(open)),
       tolerance_(tolerance),

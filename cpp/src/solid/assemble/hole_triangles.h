@@ -37,7 +37,7 @@ struct EdgePath {
 class HoleTriangles {
  public:
   /// `finer`: by face, how often its edges get more vertices than the tolerance demands. `mesh`:
-  /// thinned, if it is large. Keeps references to the faces.
+  /// thinned, if it is large.
   HoleTriangles(const std::vector<TopoDS_Face>& faces, const std::vector<int>& finer,
                 std::vector<OpenEdge> open, const HalfEdgeMesh& mesh, double tolerance);
 
@@ -73,7 +73,6 @@ class HoleTriangles {
   void markNeedles(std::vector<char>& isWrong) const;
   void markIntersecting(RunContext& run, std::vector<char>& isWrong) const;
 
-  const std::vector<TopoDS_Face>& faces_;
   const std::vector<int> finer_;    // by face
   const std::vector<double> area_;  // mm^2, by face
   const std::vector<OpenEdge> open_;
