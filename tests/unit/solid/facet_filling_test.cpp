@@ -90,15 +90,27 @@ TEST_F(FacetFilling, ACylinderKeepsItsWallWithoutItsTop) {
 }
 
 TEST_F(FacetFilling, FacetsReplaceTheWallOfACylinder) {
-  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(5, 8).Shape();
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(5, 3).Shape();
   std::vector<TopoDS_Face> faces;
   for (const TopoDS_Face& face : facesOf(rod)) {
     if (BRepAdaptor_Surface(face).GetType() == GeomAbs_Plane) faces.push_back(face);
   }
-  fill(rod, faces, test::makeCylinder(5, 0, 8, 90));
+  fill(rod, faces, test::makeCylinder(5, 0, 3, 90));
   EXPECT_EQ(count(GeomAbs_Cylinder), 0);
   EXPECT_GT(filled_.planes, 10);
-  EXPECT_NEAR(judged_.volume, 25 * M_PI * 8, 0.02 * 25 * M_PI * 8);
+  EXPECT_NEAR(judged_.volume, 25 * M_PI * 3, 0.02 * 25 * M_PI * 3);
+}
+
+TEST_F(FacetFilling, FacesWithLittleOfTheAreaAreNotWorthIt) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(12, 8, 5).Shape();
+  std::vector<TopoDS_Face> faces = facesOf(box);
+  faces.resize(1);
+  Trajectory rest;
+  rest.poses.resize(2);
+  const Sides sides(box, rest);
+  const HalfEdgeMesh mesh = buildHalfEdges(test::makeBox({0, 0, 0}, {12, 8, 5}), run_);
+  EXPECT_TRUE(fillWithFacets(faces, mesh, sides, kTolerance, {}, run_).shape.IsNull());
+  EXPECT_TRUE(fillWithFacets({}, mesh, sides, kTolerance, {}, run_).shape.IsNull());
 }
 
 TEST_F(FacetFilling, ConesContinueHalfAWall) {

@@ -100,6 +100,7 @@ void markAt(const std::vector<Vector3d>& points, const std::vector<TopoDS_Face>&
 FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& mesh,
                            const Sides& sides, double tolerance, const std::vector<Vector3d>& wrong,
                            RunContext& run) {
+  if (faces.empty()) return {};
   const HalfEdgeMesh thin = thinOpenGround(asOpenGround(mesh), kThinFirst * tolerance, run).mesh;
   const NearestTriangle original(mesh.points, mesh.triangles, NearestTriangle::Walks::Yes);
   const double deflection = kSagFraction * tolerance;

@@ -148,7 +148,8 @@ std::vector<std::int32_t> Imprint::shortestPath(std::int32_t from, std::int32_t 
   queue.emplace(0.0, from);
   best[from] = {0.0, -1};
   while (!queue.empty() && best.size() < kMaxVisited) {
-    const auto [length, v] = queue.top();
+    const double length = queue.top().first;
+    const std::int32_t v = queue.top().second;
     queue.pop();
     if (v == to) break;
     if (length > best[v].first) continue;
