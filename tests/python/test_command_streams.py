@@ -85,7 +85,7 @@ def long_words(folder, name):  # noqa: F811
             points, triangles = ball(10.0, 160, 80)
             write(folder / f"ball{i}.ply", points + [0.8 * i, 0.3 * i, 0], triangles)
         return " ".join(f"ball{i}.ply" for i in range(12))
-    rows = np.zeros((20000, 8))
+    rows = np.zeros((200000 if name == "mechanism" else 20000, 8))
     rows[:, 0], rows[:, 7] = np.arange(len(rows)), 1
     rows[:, 1:4] = 0.5 * np.random.default_rng(1).normal(size=(len(rows), 3))
     np.savetxt(folder / "way.csv", rows, "%.9g", ",")
