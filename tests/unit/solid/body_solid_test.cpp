@@ -226,6 +226,27 @@ TEST_F(BodySolid, BoxAlongAScrewWithARest) {
   expectExactFaces();
 }
 
+// Two surfaces of this sweep are nearly tangent along a curve that the program does not find.
+TEST_F(BodySolid, AMissedSectionLeavesFewFacets) {
+  resolution_ = 64;
+  readBodyOf(boxMesh(8, 5, 3, 5.0));
+  sweep({{0, 0, 0}, {-21.379538241026982, 1.9561691991603278, 33.918176841362786}},
+        Eigen::Quaterniond(0.89550238579677066, 0.07373450560868261, -0.31273825653145593,
+                           -0.30795045480823685));
+  SolidOptions options = optionsWithOrigin();
+  options.tolerance = 0.1;
+  const WrittenSolid report = write(options);
+  EXPECT_LE(judged_.faces, 60);
+  EXPECT_LE(kinds_["facet"], 20);
+  EXPECT_GE(kinds_["sheet"], 10);
+  EXPECT_TRUE(judged_.valid);
+  EXPECT_EQ(judged_.solids, 1);
+  EXPECT_EQ(judged_.faults.count("SelfIntersect"), 0u);
+  EXPECT_LE(judged_.edgeTolerance, 1e-5);
+  EXPECT_LE(judged_.blockError, 1e-9);
+  EXPECT_LE(report.deviation, options.tolerance);
+}
+
 TEST_F(BodySolid, RodThatTurnsWhileItMoves) {
   const std::string file = folder_.file("rod.brep");
   writeRod(kRadius, kLength, file);
