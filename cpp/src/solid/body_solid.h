@@ -1,5 +1,5 @@
 // Makes the solid of an envelope from the faces and edges of the moving body (SolidOrigin). The
-// judge assembles it; the mesh only tells whether it is right.
+// judge assembles it. The mesh tells whether it is right, and fills what is missing.
 // In:      the mesh of the envelope; the options with their origin.
 // Out:     a solid that the judge holds, or nothing.
 // Units:   mm.

@@ -34,8 +34,29 @@ std::vector<TopoDS_Face> facesOf(const TopoDS_Shape& shape) {
   return faces;
 }
 
+constexpr double kRodRadius = 5;
+
+// Returns the wall and the lower end of a cylinder.
+std::vector<TopoDS_Face> cupOf(double height) {
+  std::vector<TopoDS_Face> faces;
+  for (const TopoDS_Face& face : facesOf(BRepPrimAPI_MakeCylinder(kRodRadius, height).Shape())) {
+    const BRepAdaptor_Surface surface(face);
+    if (surface.GetType() != GeomAbs_Plane || surface.Plane().Location().Z() < height / 2)
+      faces.push_back(face);
+  }
+  return faces;
+}
+
 class FacetFilling : public testing::Test {
  protected:
+  // Fills a cup to a whole rod.
+  void fillCup(double height, double whole) {
+    const std::vector<TopoDS_Face> cup = cupOf(height);
+    ASSERT_EQ(cup.size(), 2u);
+    fill(BRepPrimAPI_MakeCylinder(kRodRadius, whole).Shape(), cup,
+         test::makeCylinder(kRodRadius, 0, whole, 90));
+    EXPECT_EQ(count(GeomAbs_Cylinder), 1);
+  }
   // Fills the holes of faces of a body at rest, whose mesh is given.
   void fill(const TopoDS_Shape& body, const std::vector<TopoDS_Face>& faces, const TriMesh& mesh) {
     Trajectory rest;
@@ -75,16 +96,7 @@ TEST_F(FacetFilling, OneFacetReplacesASideOfABox) {
 }
 
 TEST_F(FacetFilling, ACylinderKeepsItsWallWithoutItsTop) {
-  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(5, 8).Shape();
-  std::vector<TopoDS_Face> faces;
-  for (const TopoDS_Face& face : facesOf(rod)) {
-    const BRepAdaptor_Surface surface(face);
-    if (surface.GetType() != GeomAbs_Plane || surface.Plane().Location().Z() < 4)
-      faces.push_back(face);
-  }
-  ASSERT_EQ(faces.size(), 2u);
-  fill(rod, faces, test::makeCylinder(5, 0, 8, 90));
-  EXPECT_EQ(count(GeomAbs_Cylinder), 1);
+  fillCup(8, 8);
   EXPECT_GT(filled_.planes, 0);
   EXPECT_NEAR(judged_.volume, 25 * M_PI * 8, 0.05);
 }
@@ -114,15 +126,7 @@ TEST_F(FacetFilling, FacesWithLittleOfTheAreaAreNotWorthIt) {
 }
 
 TEST_F(FacetFilling, ConesContinueHalfAWall) {
-  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(5, 8).Shape();
-  std::vector<TopoDS_Face> faces;
-  for (const TopoDS_Face& face : facesOf(BRepPrimAPI_MakeCylinder(5, 4).Shape())) {
-    const BRepAdaptor_Surface surface(face);
-    if (surface.GetType() != GeomAbs_Plane || surface.Plane().Location().Z() < 2)
-      faces.push_back(face);
-  }
-  fill(rod, faces, test::makeCylinder(5, 0, 8, 90));
-  EXPECT_EQ(count(GeomAbs_Cylinder), 1);
+  fillCup(4, 8);
   EXPECT_GT(filled_.cones, 4);
   EXPECT_NEAR(judged_.volume, 25 * M_PI * 8, 0.02 * 25 * M_PI * 8);
 }

@@ -4,11 +4,9 @@
 #include <BOPTools_AlgoTools.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepCheck_Analyzer.hxx>
-#include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,14 +32,6 @@ using Eigen::Vector3d;
 constexpr double kThinFirst = 0.05;
 /// If the faces have less of the area than this, the solid is not worth the time.
 constexpr double kMinFraction = 0.4;
-
-TopoDS_Compound compoundOf(const std::vector<TopoDS_Face>& faces) {
-  const BRep_Builder builder;
-  TopoDS_Compound all;
-  builder.MakeCompound(all);
-  for (const TopoDS_Face& face : faces) builder.Add(all, face);
-  return all;
-}
 
 // Returns triangles of all faces, TriMesh::faceOf with their indices.
 TriMesh trianglesOf(const std::vector<TopoDS_Face>& faces, double deflection) {

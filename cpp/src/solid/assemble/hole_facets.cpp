@@ -16,7 +16,6 @@
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
@@ -112,12 +111,8 @@ std::vector<TopoDS_Face> HoleFacets::all() const {
 }
 
 std::vector<TopoDS_Face> HoleFacets::joinedAll() const {
-  const BRep_Builder builder;
-  TopoDS_Compound facets;
-  builder.MakeCompound(facets);
-  for (const TopoDS_Face& facet : facets_) builder.Add(facets, facet);
   std::vector<TopoDS_Face> result = cut_;
-  for (TopExp_Explorer it(joined(facets, false), TopAbs_FACE); it.More(); it.Next())
+  for (TopExp_Explorer it(joined(compoundOf(facets_), false), TopAbs_FACE); it.More(); it.Next())
     result.push_back(TopoDS::Face(it.Current()));
   return result;
 }

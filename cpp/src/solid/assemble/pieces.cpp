@@ -97,10 +97,10 @@ std::vector<TopoDS_Face> Pieces::aroundCells() const {
   return result;
 }
 
-std::vector<TopoDS_Face> Pieces::chosen() const {
+std::vector<TopoDS_Face> Pieces::turnedFaces(const std::vector<char>& pieces) const {
   std::vector<TopoDS_Face> result;
   for (int f = 1; f <= faces_.Extent(); ++f) {
-    if (!chosen_[f]) continue;
+    if (!pieces[f]) continue;
     result.push_back(TopoDS::Face(turned_[f] ? faces_(f).Reversed() : faces_(f)));
   }
   return result;
@@ -121,11 +121,7 @@ std::vector<TopoDS_Face> Pieces::certain() const {
       }
     }
   }
-  std::vector<TopoDS_Face> result;
-  for (int f = 1; f <= faces_.Extent(); ++f) {
-    if (kept[f]) result.push_back(TopoDS::Face(turned_[f] ? faces_(f).Reversed() : faces_(f)));
-  }
-  return result;
+  return turnedFaces(kept);
 }
 
 TopTools_ListOfShape Pieces::looseNear(const std::vector<TopoDS_Edge>& edges) const {

@@ -30,7 +30,7 @@ class Pieces {
 
   /// Returns the pieces that most samples see on the surface of the swept volume, with their
   /// normals away from it.
-  std::vector<TopoDS_Face> chosen() const;
+  std::vector<TopoDS_Face> chosen() const { return turnedFaces(chosen_); }
 
   /// Returns whether all samples of each chosen piece agree, unless the piece is narrow.
   bool areCertain() const;
@@ -54,6 +54,9 @@ class Pieces {
 
  private:
   TopoDS_Face face(int f) const { return TopoDS::Face(faces_(f)); }
+
+  // Returns the marked pieces, with their normals away from the swept volume.
+  std::vector<TopoDS_Face> turnedFaces(const std::vector<char>& pieces) const;
 
   Votes votesOf(const std::vector<FaceSample>& samples) const;
   // Returns samples of a piece that are not next to its border.

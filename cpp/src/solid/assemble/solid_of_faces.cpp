@@ -60,11 +60,10 @@ TopoDS_Face onPlane(const TopoDS_Face& face) {
 // Makes one solid for each outer shell. Cavities are shells with a negative volume.
 TopoDS_Shape solidsOf(const std::vector<TopoDS_Face>& faces) {
   const BRep_Builder builder;
-  TopoDS_Compound all;
-  builder.MakeCompound(all);
-  for (const TopoDS_Face& face : faces) builder.Add(all, onPlane(face));
+  std::vector<TopoDS_Face> simple;
+  for (const TopoDS_Face& face : faces) simple.push_back(onPlane(face));
   TopTools_ListOfShape blocks;
-  BOPTools_AlgoTools::MakeConnexityBlocks(all, TopAbs_EDGE, TopAbs_FACE, blocks);
+  BOPTools_AlgoTools::MakeConnexityBlocks(compoundOf(simple), TopAbs_EDGE, TopAbs_FACE, blocks);
   std::vector<TopoDS_Solid> solids;
   std::vector<TopoDS_Shell> cavities;
   for (const TopoDS_Shape& block : blocks) {
@@ -142,6 +141,14 @@ TopoDS_Shape repaired(const TopoDS_Shape& solids) {
 }
 
 }  // namespace
+
+TopoDS_Compound compoundOf(const std::vector<TopoDS_Face>& faces) {
+  const BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (const TopoDS_Face& face : faces) builder.Add(all, face);
+  return all;
+}
 
 TopoDS_Shape joined(const TopoDS_Shape& shape, bool withEdges) {
   try {

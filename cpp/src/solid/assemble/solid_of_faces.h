@@ -3,11 +3,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
 namespace swept::step {
+
+TopoDS_Compound compoundOf(const std::vector<TopoDS_Face>& faces);
 
 /// Returns a solid, or a compound of one solid for each outer shell. Unless `areJoined`, adjacent
 /// faces of one surface are joined. `faces`: closed, with their normals outward. Returns a null

@@ -36,8 +36,8 @@ struct TurningFaces {
 };
 
 /// `body`: in coordinates whose origin is the pivot. `trajectory`: the
-/// result of carriedByPivot(). Returns nothing if a vertex is at rest, if a cylinder turns about
-/// its axis, or if there is no regular surface for a face or an edge.
+/// result of carriedByPivot(). Returns nothing if a vertex is at rest, or if a cylinder turns
+/// about its axis. Leaves out what has no regular surface.
 std::optional<TurningFaces> turningFaces(const TopoDS_Shape& body, const Trajectory& trajectory);
 
 }  // namespace swept::step

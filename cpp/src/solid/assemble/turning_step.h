@@ -34,8 +34,8 @@ class TurningStep {
     for (const BodySurface& surface : body.surfaces) curves_.emplace_back(surface, path);
   }
 
-  /// Returns false if there is no regular surface for a face or an edge. `caps`: of the start and
-  /// the end, the index of the candidate of each face.
+  /// Returns false if a vertex is at rest, or if a cylinder turns about its axis. `caps`: of the
+  /// start and the end, the index of the candidate of each face.
   bool append(const PosedBody& start, const PosedBody& end,
               const std::array<const std::vector<int>*, 2>& caps);
   /// Adds the curves that divide fixed surfaces to these. `step`: index of this step.

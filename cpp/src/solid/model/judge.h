@@ -49,8 +49,9 @@ class Judge {
   /// Returns faces that intersect or touch where they share no vertex or edge.
   virtual std::vector<std::int32_t> findInterfering(const Model& model, RunContext& run) = 0;
 
-  /// Makes the solid from SolidOptions::origin alone. Returns nothing if the judge has no kernel or
-  /// if there is no such solid with about the volume (mm^3) of the mesh.
+  /// Makes the solid from SolidOptions::origin; triangles of the mesh fill what is missing. Returns
+  /// nothing if the judge has no kernel or if there is no such solid with about the volume (mm^3)
+  /// of the mesh.
   virtual std::optional<Assembly> assemble(const SolidOptions& options, const HalfEdgeMesh& mesh,
                                            RunContext& run);
   /// Writes the solid of the last assemble() as a STEP file.
