@@ -71,7 +71,7 @@ TEST(ElementaryBody, CutsClosedFacesAndKnowsTheirSurface) {
     const Eigen::Vector3d p(2, 0, 1), away = surface.normalAt(p);
     const double up = surface.origin.z() > 1 ? 1 : -1;
     const Eigen::Vector3d expected =
-        surface.isPlane ? Eigen::Vector3d(0, 0, up) : p.cwiseProduct(Eigen::Vector3d(0.5, 0, 0));
+        surface.isPlane() ? Eigen::Vector3d(0, 0, up) : p.cwiseProduct(Eigen::Vector3d(0.5, 0, 0));
     EXPECT_NEAR((away - expected).norm(), 0, 1e-12);
   }
 }
@@ -132,7 +132,7 @@ TEST(BodyMotion, FindsContactAtTheEndsOfEdges) {
   int found = 0;
   for (const BodyEdge& edge : body.edges) {
     for (const int f : edge.faces) {
-      if (body.surfaceOf(f).isPlane) continue;
+      if (body.surfaceOf(f).isPlane()) continue;
       for (const ZeroArc& arc : motion.contactsOf(edge, f, {0, 1})) {
         const Eigen::Vector2d on = arc.at(arc.range().at(0.5));
         EXPECT_NEAR(std::abs(edge.at(on.x()).x()), 2, 1e-9);

@@ -8,9 +8,12 @@
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Message_ProgressScope.hxx>
 #include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <deque>
@@ -19,6 +22,7 @@
 
 #include "base/parallel.h"
 #include "solid/assemble/pieces.h"
+#include "solid/assemble/possible_faces.h"
 #include "solid/assemble/solid_of_faces.h"
 
 namespace swept::step {
@@ -124,11 +128,21 @@ TopoDS_Shape fused(const TopTools_ListOfShape& arguments, const Message_Progress
   return fuser.HasErrors() ? TopoDS_Shape() : fuser.Shape();
 }
 
+// Returns within which distance divideFaces() joins ends in any case.
+double nearestEnds(const std::vector<SweptFace>& faces) {
+  double worst = 0;
+  for (const SweptFace& face : faces) {
+    for (TopExp_Explorer it(face.face, TopAbs_VERTEX); it.More(); it.Next())
+      worst = std::max(worst, 2 * BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
+  }
+  return std::min(worst, kMaxNear);
+}
+
 TopoDS_Shape dividedAtSections(const SweptFaces& given, double near) {
   std::vector<TopoDS_Face> faces;
   for (const SweptFace& face : given.faces) faces.push_back(face.face);
   try {
-    return divideFaces(faces, *given.sections, near);
+    return possiblePieces(divideFaces(faces, *given.sections, near), given.faces);
   } catch (const Standard_Failure&) {
     return {};  // the general fuse may succeed
   }
@@ -150,7 +164,9 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
       if (!pieces.openEdges().empty()) return {};
       return {solidOf(pieces.chosen(), volume, accuracy), pieces.areCertain(), pieces.filled()};
     };
-    for (const double near : std::set<double>{faces.near, kLargerNear, kMaxNear}) {
+    const double least = nearestEnds(faces.faces);
+    for (const double near :
+         std::set<double>{std::max(faces.near, least), std::max(kLargerNear, least), kMaxNear}) {
       if (scope.UserBreak()) return {};
       const TopoDS_Shape divided = dividedAtSections(faces, near);
       if (divided.IsNull()) continue;

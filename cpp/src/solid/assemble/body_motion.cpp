@@ -28,21 +28,21 @@ BodyMotion::BodyMotion(const ElementaryBody& body, const StepPath& path)
     slides_.push_back(isSliding(static_cast<int>(f)));
 }
 
-double BodyMotion::speedOf(int f, const Vector3d& p, double s) const {
-  return body_.surfaceOf(f).normalAt(p).dot(Moment(path_, s).velocityAt(p));
+double BodyMotion::speedOf(const BodyEdge& edge, int f, double u, double s) const {
+  return body_.normalAt(edge, f, u).dot(Moment(path_, s).velocityAt(edge.at(u)));
 }
 
 OfTwo BodyMotion::speedOn(const BodyEdge& edge, int f) const {
-  return [this, &edge, f](const Vector2d& on) { return speedOf(f, edge.at(on[0]), on[1]); };
+  return [this, &edge, f](const Vector2d& on) { return speedOf(edge, f, on[0], on[1]); };
 }
 
 double BodyMotion::noSpeed() const { return kNoSpeed * length_; }
 
 bool BodyMotion::isContact(const BodyEdge& edge, int f, double u, Range s) const {
   constexpr int kTimes = 16;
-  const Vector3d p = edge.at(u);
   for (int i = 0; i <= kTimes; ++i) {
-    if (std::abs(speedOf(f, p, s.at(static_cast<double>(i) / kTimes))) > noSpeed()) return false;
+    if (std::abs(speedOf(edge, f, u, s.at(static_cast<double>(i) / kTimes))) > noSpeed())
+      return false;
   }
   return true;
 }
@@ -92,8 +92,8 @@ bool BodyMotion::isOutline(const BodyEdge& edge) const {
   for (int i = 0; i <= kTimes; ++i) {
     const double s = static_cast<double>(i) / kTimes;
     for (int j = 0; j <= kPoints; ++j) {
-      const Vector3d p = edge.at(edge.range.at(static_cast<double>(j) / kPoints));
-      const double a = speedOf(edge.faces[0], p, s), b = speedOf(edge.faces[1], p, s);
+      const double u = edge.range.at(static_cast<double>(j) / kPoints);
+      const double a = speedOf(edge, edge.faces[0], u, s), b = speedOf(edge, edge.faces[1], u, s);
       if (std::min(a, b) < -noSpeed() && std::max(a, b) > noSpeed()) return true;
     }
   }
@@ -119,22 +119,13 @@ std::optional<Vector3d> BodyMotion::planeOf(const BodyEdge& edge) const {
   return normal;
 }
 
-std::vector<double> BodyMotion::pinches() const {
-  std::vector<double> times{0, 1};
-  for (const BodyEdge& edge : body_.edges) {
-    if (!body_.isConvex(edge) || slidesAt(edge) || planeOf(edge)) continue;
-    const OfTwo other = speedOn(edge, edge.faces[1]);
-    for (const ZeroArc& arc : contactsOf(edge, edge.faces[0], {0, 1})) {
-      for (const double t : zerosOf([&](double x) { return other(arc.at(x)); }, arc.range()))
-        times.push_back(arc.at(t).y());
-    }
+std::vector<double> BodyMotion::pinchesOf(const BodyEdge& edge) const {
+  std::vector<double> times;
+  const OfTwo other = speedOn(edge, edge.faces[1]);
+  for (const ZeroArc& arc : contactsOf(edge, edge.faces[0], {0, 1})) {
+    for (const double t : zerosOf([&](double x) { return other(arc.at(x)); }, arc.range()))
+      times.push_back(arc.at(t).y());
   }
-  std::sort(times.begin(), times.end());
-  constexpr double kSameTime = 1e-6;
-  times.erase(
-      std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < kSameTime; }),
-      times.end());
-  times.back() = 1;
   return times;
 }
 

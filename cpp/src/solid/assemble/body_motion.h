@@ -1,4 +1,4 @@
-// A body with planes and cylinders during one step of its motion: how its points move, and where
+// A body during one step of its motion: how its points move, and where
 // its edges touch the envelope.
 // Units:   mm; s is the fraction of the step. Times are s times the length of the step, in mm, so
 //          that surfaces have parameters of similar size.
@@ -46,13 +46,13 @@ class BodyMotion {
   }
   /// Returns whether the edge is ever between a face that moves outward and one that moves inward.
   bool isOutline(const BodyEdge& edge) const;
-  /// Returns the start and the end of the step, and between them the times at which a point of an
-  /// edge moves along the edge. There the surface that the edge sweeps is pinched, and from there
-  /// it intersects itself; cut at this time, its parts do not.
-  std::vector<double> pinches() const;
+  /// Returns the times at which a point of the edge moves along the edge. There the surface that
+  /// the edge sweeps is pinched, and from there it intersects itself; cut at this time, its parts
+  /// do not.
+  std::vector<double> pinchesOf(const BodyEdge& edge) const;
 
  private:
-  double speedOf(int f, const Eigen::Vector3d& p, double s) const;
+  double speedOf(const BodyEdge& edge, int f, double u, double s) const;
   // mm per unit of s: slower is taken as rest.
   double noSpeed() const;
   // Returns whether a face does not move along its normal at a point of an edge.

@@ -6,13 +6,17 @@
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <ShapeUpgrade_ShapeDivideClosed.hxx>
+#include <ShapeUpgrade_ShapeDivideClosedEdges.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <algorithm>
 #include <cmath>
+#include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
+#include <gp_Sphere.hxx>
+#include <gp_Torus.hxx>
 #include <utility>
 
 #include "solid/assemble/kernel_geometry.h"
@@ -24,22 +28,56 @@ using Eigen::Vector3d;
 
 namespace {
 
-TopoDS_Shape withoutClosedFaces(const TopoDS_Shape& body) {
-  ShapeUpgrade_ShapeDivideClosed divider(body);
-  divider.SetNbSplitPoints(1);
-  return divider.Perform() ? divider.Result() : body;
+TopoDS_Shape withoutClosedParts(const TopoDS_Shape& body) {
+  ShapeUpgrade_ShapeDivideClosed faces(body);
+  faces.SetNbSplitPoints(1);
+  const TopoDS_Shape open = faces.Perform() ? faces.Result() : body;
+  ShapeUpgrade_ShapeDivideClosedEdges edges(open);
+  edges.SetNbSplitPoints(1);
+  return edges.Perform() ? edges.Result() : open;
 }
 
 BodySurface surfaceOfFace(const TopoDS_Face& face) {
+  using Kind = BodySurface::Kind;
   const BRepAdaptor_Surface adaptor(face, Standard_False);
   BodySurface surface;
-  surface.isPlane = adaptor.GetType() == GeomAbs_Plane;
-  const gp_Ax3 axes = surface.isPlane ? adaptor.Plane().Position() : adaptor.Cylinder().Position();
+  gp_Ax3 axes;
+  switch (adaptor.GetType()) {
+    case GeomAbs_Plane:
+      axes = adaptor.Plane().Position();
+      break;
+    case GeomAbs_Cylinder:
+      surface.kind = Kind::Cylinder;
+      axes = adaptor.Cylinder().Position();
+      surface.radius = adaptor.Cylinder().Radius();
+      break;
+    case GeomAbs_Cone:
+      surface.kind = Kind::Cone;
+      axes = adaptor.Cone().Position();
+      surface.radius = adaptor.Cone().RefRadius();
+      surface.slope = adaptor.Cone().SemiAngle();
+      break;
+    case GeomAbs_Sphere:
+      surface.kind = Kind::Torus;
+      axes = adaptor.Sphere().Position();
+      surface.tube = adaptor.Sphere().Radius();
+      break;
+    case GeomAbs_Torus:
+      surface.kind = Kind::Torus;
+      axes = adaptor.Torus().Position();
+      surface.radius = adaptor.Torus().MajorRadius();
+      surface.tube = adaptor.Torus().MinorRadius();
+      break;
+    default:
+      surface.kind = Kind::Other;
+      surface.shape = BRep_Tool::Surface(face);
+      surface.outward = face.Orientation() == TopAbs_REVERSED ? -1 : 1;
+      return surface;
+  }
   surface.origin = vectorOf(axes.Location().XYZ());
   surface.x = vectorOf(axes.XDirection().XYZ());
   surface.y = vectorOf(axes.YDirection().XYZ());
   surface.axis = vectorOf(axes.Direction().XYZ());
-  if (!surface.isPlane) surface.radius = adaptor.Cylinder().Radius();
   const bool isReversed = (face.Orientation() == TopAbs_REVERSED) == bool(axes.Direct());
   surface.outward = isReversed ? -1 : 1;
   return surface;
@@ -49,43 +87,90 @@ BodySurface surfaceOfFace(const TopoDS_Face& face) {
 
 Vector3d BodyEdge::at(double u) const { return vectorOf(curve->Value(u).XYZ()); }
 
-Vector3d BodyEdge::tangent(double u) const { return vectorOf(curve->DN(u, 1).XYZ()).normalized(); }
+Vector3d BodyEdge::tangent(double u) const {
+  gp_Pnt p;
+  gp_Vec along;
+  curve->D1(u, p, along);
+  return vectorOf(along.XYZ()).normalized();
+}
+
+Vector3d BodySurface::awayFromAxis(const Vector3d& p) const {
+  const Vector3d off = p - origin;
+  return (off - off.dot(axis) * axis).normalized();
+}
 
 Vector3d BodySurface::normalAt(const Vector3d& p) const {
-  if (isPlane) return outward * axis;
-  const Vector3d off = p - origin;
-  return outward * (off - off.dot(axis) * axis).normalized();
+  switch (kind) {
+    case Kind::Plane:
+      return outward * axis;
+    case Kind::Cone:
+      return outward * (std::cos(slope) * awayFromAxis(p) - std::sin(slope) * axis);
+    case Kind::Torus:
+      return outward * (p - origin - radius * awayFromAxis(p)).normalized();
+    default:
+      return outward * awayFromAxis(p);
+  }
 }
 
 double BodySurface::distanceTo(const Vector3d& p) const {
   const Vector3d off = p - origin;
-  return isPlane ? off.dot(axis) : off.cross(axis).norm() - radius;
+  const double along = off.dot(axis), fromAxis = off.cross(axis).norm();
+  switch (kind) {
+    case Kind::Plane:
+      return along;
+    case Kind::Cone:
+      return (fromAxis - radius) * std::cos(slope) - along * std::sin(slope);
+    case Kind::Torus:
+      return std::hypot(fromAxis - radius, along) - tube;
+    default:
+      return fromAxis - radius;
+  }
 }
 
-Vector2d BodySurface::parametersOf(const Vector3d& p, double angle) const {
+Vector2d BodySurface::parametersOf(const Vector3d& p, const Vector2d& near) const {
   const Vector3d off = p - origin;
-  if (isPlane) return {off.dot(x), off.dot(y)};
-  const double found = std::atan2(off.dot(y), off.dot(x));
-  return {found + 2 * M_PI * std::round((angle - found) / (2 * M_PI)), off.dot(axis)};
+  if (isPlane()) return {off.dot(x), off.dot(y)};
+  const auto nearest = [](double angle, double to) {
+    return angle + 2 * M_PI * std::round((to - angle) / (2 * M_PI));
+  };
+  const double around = nearest(std::atan2(off.dot(y), off.dot(x)), near.x());
+  const double along = off.dot(axis);
+  if (kind != Kind::Torus) return {around, along / std::cos(slope)};
+  const Vector3d away = std::cos(around) * x + std::sin(around) * y;
+  return {around, nearest(std::atan2(along, off.dot(away) - radius), near.y())};
 }
 
 Vector3d BodySurface::footOfOrigin() const {
   const Vector3d alongAxis = origin.dot(axis) * axis;
-  return isPlane ? alongAxis : Vector3d(origin - alongAxis);
+  return isPlane() ? alongAxis : Vector3d(origin - alongAxis);
 }
 
 bool BodySurface::isAtPlaceOf(const BodySurface& other, double distance) const {
   constexpr double kSameDirection = 1e-9;
-  if (isPlane != other.isPlane || std::abs(radius - other.radius) > distance) return false;
-  if (axis.cross(other.axis).norm() > kSameDirection) return false;
+  if (kind != other.kind || shape != other.shape) return false;
+  if (std::abs(radius - other.radius) > distance || std::abs(tube - other.tube) > distance)
+    return false;
   const Vector3d off = other.origin - origin;
-  return (isPlane ? std::abs(off.dot(axis)) : off.cross(axis).norm()) < distance;
+  const bool isParallel = axis.cross(other.axis).norm() < kSameDirection;
+  switch (kind) {
+    case Kind::Plane:
+      return isParallel && std::abs(off.dot(axis)) < distance;
+    case Kind::Cylinder:
+      return isParallel && off.cross(axis).norm() < distance;
+    case Kind::Cone:
+      return (axis - other.axis).norm() < kSameDirection && off.norm() < distance &&
+             std::abs(slope - other.slope) < kSameDirection;
+    case Kind::Torus:
+      return isParallel && off.norm() < distance;
+    default:
+      return true;
+  }
 }
 
 bool BodySurface::isSame(const BodySurface& other) const {
   constexpr double kSame = 1e-9;  // mm
   const bool isSameSide =
-      isPlane ? (outward * axis).dot(other.outward * other.axis) > 0 : outward == other.outward;
+      isPlane() ? (outward * axis).dot(other.outward * other.axis) > 0 : outward == other.outward;
   return isSameSide && isAtPlaceOf(other, kSame);
 }
 
@@ -101,7 +186,7 @@ bool isElementary(const TopoDS_Shape& body) {
   return true;
 }
 
-ElementaryBody::ElementaryBody(const TopoDS_Shape& body) : shape(withoutClosedFaces(body)) {
+ElementaryBody::ElementaryBody(const TopoDS_Shape& body) : shape(withoutClosedParts(body)) {
   TopTools_IndexedMapOfShape faceMap;
   TopTools_IndexedDataMapOfShapeListOfShape edgeMap;
   TopExp::MapShapes(shape, TopAbs_FACE, faceMap);
@@ -110,13 +195,14 @@ ElementaryBody::ElementaryBody(const TopoDS_Shape& body) : shape(withoutClosedFa
   for (int f = 1; f <= faceMap.Extent(); ++f) {
     BodyFace& face = faces.emplace_back();
     face.shape = TopoDS::Face(faceMap(f));
-    const BodySurface surface = surfaceOfFace(face.shape);
+    const BodySurface surface = face.own = surfaceOfFace(face.shape);
     const auto same = std::find_if(surfaces.begin(), surfaces.end(),
                                    [&](const BodySurface& other) { return surface.isSame(other); });
     face.surface = static_cast<int>(same - surfaces.begin());
     if (same == surfaces.end()) surfaces.push_back(surface);
   }
   for (int e = 1; e <= edgeMap.Extent(); ++e) {
+    if (BRep_Tool::Degenerated(TopoDS::Edge(edgeMap.FindKey(e)))) continue;
     BodyEdge& edge = edges.emplace_back();
     edge.shape = TopoDS::Edge(edgeMap.FindKey(e).Oriented(TopAbs_FORWARD));
     edge.from = vertices.FindIndex(TopExp::FirstVertex(edge.shape)) - 1;
@@ -127,8 +213,13 @@ ElementaryBody::ElementaryBody(const TopoDS_Shape& body) : shape(withoutClosedFa
     std::size_t side = 0;
     for (const TopoDS_Shape& owner : edgeMap(e)) {
       const int f = faceMap.FindIndex(owner) - 1;
-      if (side < edge.faces.size()) edge.faces[side++] = f;
-      faces[f].edges.push_back(e - 1);
+      if (side < edge.faces.size()) {
+        double from, to;
+        if (surfaceOf(f).kind == BodySurface::Kind::Other)
+          edge.onFaces[side] = BRep_Tool::CurveOnSurface(edge.shape, faces[f].shape, from, to);
+        edge.faces[side++] = f;
+      }
+      faces[f].edges.push_back(static_cast<int>(edges.size()) - 1);
     }
   }
 }
@@ -137,26 +228,43 @@ Vector3d ElementaryBody::point(int vertex) const {
   return vectorOf(BRep_Tool::Pnt(TopoDS::Vertex(vertices(vertex + 1))).XYZ());
 }
 
+Vector3d ElementaryBody::normalAt(const BodyEdge& edge, int f, double u) const {
+  const BodySurface& surface = surfaceOf(f);
+  if (surface.kind != BodySurface::Kind::Other) return surface.normalAt(edge.at(u));
+  const Handle(Geom2d_Curve) & on = edge.onFaces[f == edge.faces[0] ? 0 : 1];
+  if (on.IsNull()) return Vector3d::Zero();
+  const gp_Pnt2d q = on->Value(u);
+  gp_Pnt p;
+  gp_Vec alongU, alongV;
+  surface.shape->D1(q.X(), q.Y(), p, alongU, alongV);
+  const Vector3d normal = vectorOf(alongU.Crossed(alongV).XYZ());
+  return surface.outward * normal.normalized();
+}
+
 Vector3d ElementaryBody::intoFace(const BodyEdge& edge, int f, double u) const {
   for (TopExp_Explorer it(faces[f].shape, TopAbs_EDGE); it.More(); it.Next()) {
     if (!it.Current().IsSame(edge.shape)) continue;
     const double sign = it.Current().Orientation() == TopAbs_REVERSED ? -1 : 1;
-    return surfaceOf(f).normalAt(edge.at(u)).cross(sign * edge.tangent(u));
+    return normalAt(edge, f, u).cross(sign * edge.tangent(u));
   }
   return Vector3d::Zero();
 }
 
 double ElementaryBody::convexity(const BodyEdge& edge) const {
   const double middle = edge.range.at(0.5);
-  const Vector3d normal = surfaceOf(edge.faces[0]).normalAt(edge.at(middle));
+  const Vector3d normal = normalAt(edge, edge.faces[0], middle);
   return -intoFace(edge, edge.faces[1], middle).dot(normal);
 }
 
 Range ElementaryBody::anglesOf(int f) const {
-  double v0, v1;
-  Range angles;
-  BRepTools::UVBounds(faces[f].shape, angles.from, angles.to, v0, v1);
-  return angles;
+  const Eigen::AlignedBox2d range = parameterRange(f);
+  return {range.min().x(), range.max().x()};
+}
+
+Eigen::AlignedBox2d ElementaryBody::parameterRange(int f) const {
+  Vector2d low, high;
+  BRepTools::UVBounds(faces[f].shape, low.x(), high.x(), low.y(), high.y());
+  return {low, high};
 }
 
 bool ElementaryBody::isCorner(int vertex, int f) const {

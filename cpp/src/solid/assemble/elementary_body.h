@@ -1,11 +1,14 @@
-// A body with planes, cylinders, straight and circular edges, and the body at a pose.
+// The faces and edges of a moving body, and the body at a pose. Planes, cylinders, cones,
+// spheres and tori are known by their formulas, other surfaces only by their parameters.
 // Units:   mm, rad, in coordinates of the body whose origin is the pivot.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <BRepBuilderAPI_Transform.hxx>
-#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
+#include <Geom_Surface.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -25,6 +28,8 @@ struct BodyEdge {
   int from = 0, to = 0;  ///< vertices
   Handle(Geom_Curve) curve;
   Range range;  ///< of the parameter: mm on a line, rad on a circle
+  /// By face: the edge in the parameters of the surface. Null on planes and cylinders.
+  std::array<Handle(Geom2d_Curve), 2> onFaces;
   bool isStraight = true;
   double scale = 1;  ///< mm per unit of the parameter
   std::array<int, 2> faces{-1, -1};
@@ -32,27 +37,35 @@ struct BodyEdge {
   Eigen::Vector3d tangent(double u) const;  ///< unit vector
 };
 
-/// A plane or a cylinder.
 struct BodySurface {
-  bool isPlane = true;
-  /// A point of the plane, or of the axis.
+  enum class Kind { Plane, Cylinder, Cone, Torus, Other };
+  Kind kind = Kind::Plane;
+  /// Only for other surfaces, which have none of the members below, except for `outward`.
+  Handle(Geom_Surface) shape;
+  /// A point of the plane, or of the axis: of a torus, its centre.
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   /// Orthogonal unit vectors; `axis`: normal of the plane.
   Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
                   axis = Eigen::Vector3d::UnitZ();
-  double radius = 0;
-  double outward = 1;  ///< -1 if `axis`, or the direction away from it, points into the body
+  double radius = 0;  ///< of a cone, at `origin`; of a torus, from the axis to the tube
+  double slope = 0;   ///< rad: angle between a cone and its axis
+  double tube = 0;    ///< radius of the tube of a torus; a sphere is a torus with radius 0
+  /// -1 if `axis`, or the direction away from it, or the normal of `shape` points into the body
+  double outward = 1;
 
+  bool isPlane() const { return kind == Kind::Plane; }
+  bool isCylinder() const { return kind == Kind::Cylinder; }
+  /// Returns the unit vector from the axis to a point.
+  Eigen::Vector3d awayFromAxis(const Eigen::Vector3d& p) const;
   /// Returns the unit vector that points away from the body.
   Eigen::Vector3d normalAt(const Eigen::Vector3d& p) const;
   /// mm, along `axis`, or away from it.
   double distanceTo(const Eigen::Vector3d& p) const;
-  /// Returns the kernel's parameters of a point of the surface. On a cylinder, the angle is within
-  /// pi of the given one.
-  Eigen::Vector2d parametersOf(const Eigen::Vector3d& p, double angle) const;
+  /// Returns the kernel's parameters of a point of the surface. Angles are within pi of those given.
+  Eigen::Vector2d parametersOf(const Eigen::Vector3d& p, const Eigen::Vector2d& near) const;
   /// Returns the foot of the perpendicular from the origin onto the plane or the axis.
   Eigen::Vector3d footOfOrigin() const;
-  /// Returns whether both are one plane or cylinder up to `distance` (mm), on whichever side the
+  /// Returns whether both are one surface up to `distance` (mm), on whichever side the
   /// body is.
   bool isAtPlaceOf(const BodySurface& other, double distance) const;
   /// Returns whether, in addition, the body is on the same side.
@@ -61,27 +74,33 @@ struct BodySurface {
 
 struct BodyFace {
   TopoDS_Face shape;
-  int surface = 0;
+  int surface = 0;  ///< of the body; other faces on it may have other parameters
+  BodySurface own;  ///< with the parameters of this face
   std::vector<int> edges;
 };
 
 /// Returns whether all faces are planes or cylinders and all edges straight or circular.
 bool isElementary(const TopoDS_Shape& body);
 
-/// The parts of a body for which isElementary() is true. Closed faces are cut in two. Faces may
-/// share a surface.
+/// The parts of a body. Closed faces are cut in two. Faces may share a surface.
 struct ElementaryBody {
   explicit ElementaryBody(const TopoDS_Shape& body);
 
   Eigen::Vector3d point(int vertex) const;
-  const BodySurface& surfaceOf(int face) const { return surfaces[faces[face].surface]; }
+  const BodySurface& surfaceOf(int face) const { return faces[face].own; }
+  /// Returns the unit vector that points away from the body, on a face at its edge. Zero where the
+  /// surface has no normal.
+  Eigen::Vector3d normalAt(const BodyEdge& edge, int f, double u) const;
   /// Returns the sine of the angle by which the body is convex at the edge; negative if it is
   /// concave.
   double convexity(const BodyEdge& edge) const;
   /// Returns the unit vector from a point of an edge into a face at the edge.
   Eigen::Vector3d intoFace(const BodyEdge& edge, int f, double u) const;
-  /// Returns the range of the kernel's angle on a face of a cylinder.
+  /// Returns the range of the kernel's angle around the axis on a face.
   Range anglesOf(int f) const;
+  /// Returns the range of the kernel's parameters of a face.
+  Eigen::AlignedBox2d parameterRange(int f) const;
+  Eigen::Vector2d middleOf(int f) const { return parameterRange(f).center(); }
   /// Returns whether a plane face has an angle of less than 180 degrees at a vertex.
   bool isCorner(int vertex, int f) const;
   /// Other edges sweep no surface of the envelope.
@@ -103,7 +122,8 @@ class PosedBody {
  public:
   PosedBody(const TopoDS_Shape& body, const Pose& pose);
   TopoDS_Face of(const BodyFace& face) const {
-    return TopoDS::Face(maker_->ModifiedShape(face.shape));
+    return TopoDS::Face(
+        maker_->ModifiedShape(face.shape).Oriented(face.shape.Orientation()));
   }
   /// Forward.
   TopoDS_Edge of(const BodyEdge& edge) const {

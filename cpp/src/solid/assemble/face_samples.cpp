@@ -23,7 +23,7 @@ std::vector<FaceSample> samplesOf(const TopoDS_Face& face, int count) {
     gp_Vec normal = alongU.Crossed(alongV);
     if (normal.Magnitude() <= gp::Resolution()) return;
     if (face.Orientation() == TopAbs_REVERSED) normal.Reverse();
-    samples.push_back({point, gp_Dir(normal)});
+    samples.push_back({point, gp_Dir(normal), {u, v}});
   };
   const Handle(IntTools_Context) context = new IntTools_Context;
   gp_Pnt point;

@@ -5,6 +5,7 @@
 #include <TopoDS_Face.hxx>
 #include <gp_Dir.hxx>
 #include <gp_Pnt.hxx>
+#include <gp_Pnt2d.hxx>
 #include <vector>
 
 namespace swept::step {
@@ -12,6 +13,7 @@ namespace swept::step {
 struct FaceSample {
   gp_Pnt point;
   gp_Dir normal;  ///< with the orientation of the face
+  gp_Pnt2d on;    ///< parameters
 };
 
 /// Returns points inside the face: those of a grid of about `count` points over its parameters, and

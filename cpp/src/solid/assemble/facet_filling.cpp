@@ -3,7 +3,10 @@
 
 #include <BOPTools_AlgoTools.hxx>
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -11,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "geometry/nearest_triangle.h"
 #include "geometry/self_intersections.h"
@@ -94,11 +98,23 @@ FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& m
   const HalfEdgeMesh thin = thinOpenGround(asOpenGround(mesh), kThinFirst * tolerance, run).mesh;
   const NearestTriangle original(mesh.points, mesh.triangles, NearestTriangle::Walks::Yes);
   const double deflection = kSagFraction * tolerance;
-  const TopoDS_Shape whole = joined(compoundOf(faces), true);
+  // The caller's faces stay as they are: sections become exact in place.
+  const TopoDS_Shape own = BRepBuilderAPI_Copy(compoundOf(faces), Standard_False).Shape();
+  const TopoDS_Shape whole = joined(own, true);
   faces.clear();
   for (TopExp_Explorer it(whole, TopAbs_FACE); it.More(); it.Next())
     faces.push_back(TopoDS::Face(it.Current()));
   std::map<const void*, int> finer;  // by face
+  std::map<const void*, double> areas;
+  const auto areaOf = [&](const TopoDS_Face& face) {
+    const auto [at, isNew] = areas.try_emplace(face.TShape().get(), 0);
+    if (isNew) {
+      GProp_GProps properties;
+      BRepGProp::SurfaceProperties(face, properties);
+      at->second = std::abs(properties.Mass());
+    }
+    return at->second;
+  };
   const auto finerOf = [&](const TopoDS_Face& face) -> int& { return finer[face.TShape().get()]; };
   // Returns whether faces were left out.
   const auto leaveOut = [&](std::vector<char> isWrong) {
@@ -125,9 +141,14 @@ FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& m
     run.checkpoint(Phase::Export);
     std::vector<OpenEdge> open = openEdgesOf(faces);
     std::vector<int> finerByFace;
-    for (const TopoDS_Face& face : faces) finerByFace.push_back(finerOf(face));
-    HoleTriangles triangles(faces, finerByFace, std::move(open), thin, tolerance);
-    if (triangles.faceArea() < kMinFraction * mesh.area) break;
+    std::vector<double> areaByFace;
+    for (const TopoDS_Face& face : faces) {
+      finerByFace.push_back(finerOf(face));
+      areaByFace.push_back(areaOf(face));
+    }
+    if (std::accumulate(areaByFace.begin(), areaByFace.end(), 0.0) < kMinFraction * mesh.area)
+      break;
+    HoleTriangles triangles(areaByFace, finerByFace, std::move(open), thin, tolerance);
     isWrong.assign(faces.size(), 0);
     triangles.cut(isWrong);
     if (leaveOut(isWrong)) continue;

@@ -37,7 +37,8 @@ FixedSurfaces::FixedSurfaces(const ElementaryBody& body, const std::vector<Pose>
     for (int f = 0; f < faceCount; ++f) {
       Fixed copy{body.surfaceOf(f)};
       BodySurface& carrier = copy.carrier;
-      if (!carrier.isPlane) {
+      if (!carrier.isPlane() && !carrier.isCylinder()) continue;
+      if (carrier.isCylinder()) {
         const Range angles = body.anglesOf(f);
         copy.halfWidth = angles.length() / 2;
         const double middle = angles.at(0.5);
@@ -88,7 +89,7 @@ FixedSurfaces::FixedSurfaces(const ElementaryBody& body, const std::vector<Pose>
 bool FixedSurfaces::areSame(const Fixed& a, const Fixed& b) {
   constexpr double kSameAngle = 1e-9;  // rad
   if (!a.carrier.isAtPlaceOf(b.carrier, kSamePlace)) return false;
-  return a.carrier.isPlane || ((a.carrier.x - b.carrier.x).norm() < kSameAngle &&
+  return a.carrier.isPlane() || ((a.carrier.x - b.carrier.x).norm() < kSameAngle &&
                                std::abs(a.halfWidth - b.halfWidth) < kSameAngle);
 }
 
@@ -110,13 +111,13 @@ void FixedSurfaces::add(int surface, const TopoDS_Edge& edge) {
                                    [&](const TopoDS_Edge& known) { return known.IsSame(edge); });
   if (isKnown) return;
   edges.push_back(edge);
-  if (fixed_[surface].carrier.isPlane) return;  // the kernel computes the curve itself
+  if (fixed_[surface].carrier.isPlane()) return;  // the kernel computes the curve itself
   BRep_Builder().UpdateEdge(edge, curveOn(surface, edge), fixed_[surface].face,
                             Precision::Confusion());
 }
 
 Vector2d FixedSurfaces::parametersOf(int surface, const Vector3d& p) const {
-  return fixed_[surface].carrier.parametersOf(p, 0);
+  return fixed_[surface].carrier.parametersOf(p, Vector2d::Zero());
 }
 
 // Returns the curve of a line along the axis, or of an arc, in the parameters of a cylinder.
@@ -145,7 +146,7 @@ TopoDS_Face FixedSurfaces::faceOf(const Fixed& fixed, double reach) {
   const BodySurface& carrier = fixed.carrier;
   const double size = kLarger * reach;
   const gp_Ax3 axes(pointOf(carrier.origin), dirOf(carrier.axis), dirOf(carrier.x));
-  if (carrier.isPlane) return BRepBuilderAPI_MakeFace(gp_Pln(axes), -size, size, -size, size);
+  if (carrier.isPlane()) return BRepBuilderAPI_MakeFace(gp_Pln(axes), -size, size, -size, size);
   return BRepBuilderAPI_MakeFace(gp_Cylinder(axes, carrier.radius), -fixed.halfWidth,
                                  fixed.halfWidth, -size, size);
 }
@@ -163,7 +164,7 @@ bool FixedSurfaces::doOverlap() const {
   for (std::size_t i = 0; i < fixed_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const Fixed &a = fixed_[i], &b = fixed_[j];
-      if (a.carrier.isPlane || !a.carrier.isAtPlaceOf(b.carrier, kSamePlace)) continue;
+      if (a.carrier.isPlane() || !a.carrier.isAtPlaceOf(b.carrier, kSamePlace)) continue;
       const double angle = std::acos(std::clamp(a.carrier.x.dot(b.carrier.x), -1.0, 1.0));
       if (angle <= a.halfWidth + b.halfWidth - kTouching) return true;
     }

@@ -23,7 +23,6 @@ bool TurningStep::endsExactly(const Contact& contact) const {
 void TurningStep::appendGrazes(int surface, int curve) {
   constexpr double kWider = 0.05;
   const ContactCurves& curves = curves_[surface];
-  const Range w = curves.extent(body_, surface).grown(kWider);
   std::vector<Range> times;
   for (const Contact& contact : contacts_) {
     if (body_.faces[contact.face].surface != surface || contact.curve != curve) continue;
@@ -40,12 +39,21 @@ void TurningStep::appendGrazes(int surface, int curve) {
       joined.back().to = std::max(joined.back().to, s.to);
     }
   }
-  const Knots straight(1, {w.from, w.to});
   const auto exact = [&](double x, double t) -> Vector3d {
     return motion_.at(curves.at(curve, x, t / motion_.length()), t / motion_.length());
   };
   for (const Range& s : joined) {
     if (s.length() < kSameTime) continue;
+    Range w = curves.extent();
+    if (body_.surfaces[surface].kind == BodySurface::Kind::Torus) {
+      // Elsewhere the curve may be far outside of the face, and irregular.
+      w = {HUGE_VAL, -HUGE_VAL};
+      for (const Contact& contact : contacts_) {
+        if (belongs(contact, surface, curve, s)) w = w.with(contact.w.from).with(contact.w.to);
+      }
+    }
+    w = w.grown(kWider);
+    const Knots straight(1, {w.from, w.to});
     if (isFixed(exact, w, motion_.timeOf(s))) {
       dropContacts(surface, curve, s);
       continue;
@@ -55,10 +63,11 @@ void TurningStep::appendGrazes(int surface, int curve) {
                  kSurfaceBound, kMaxTurningPoles);
     if (!fitted) continue;
     grazes_.push_back({surface, curve, w, s, static_cast<int>(to_.faces.size())});
-    to_.faces.push_back(
-        {BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), w.from, w.to, motion_.timeOf(s.from),
-                                 motion_.timeOf(s.to), Precision::Confusion()),
-         SweptFace::kAlone});
+    SweptFace& added = to_.faces.emplace_back();
+    added.face = BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), w.from, w.to,
+                                         motion_.timeOf(s.from), motion_.timeOf(s.to),
+                                         Precision::Confusion());
+    added.conditions = conditions_.ofGraze(surface, curve);
   }
 }
 
@@ -95,7 +104,8 @@ const TurningStep::Graze* TurningStep::grazeOf(const Contact& contact) const {
 void TurningStep::appendContact(const Contact& contact) {
   const BodyEdge& edge = body_.edges[contact.edge];
   const Graze* graze = grazeOf(contact);  // null if there is no regular surface
-  const int sheet = spans_[contact.span].sheets[contact.edge];
+  const std::vector<Sheet>& sheets = sheets_[contact.edge];
+  const int sheet = sheets.empty() ? -1 : sheets[contact.sheet].face;
   const ZeroArc& arc = contact.arc;
   const TopoDS_Edge shape = fittedEdge(
       [&](double t) {
@@ -109,7 +119,7 @@ void TurningStep::appendContact(const Contact& contact) {
     const ContactCurves& curves = curves_[graze->surface];
     const auto onGraze = [&](double t) {
       const Vector2d on = arc.at(t);
-      return Vector2d(curves.positionAt(edge.at(on.x())), motion_.timeOf(on.y()));
+      return Vector2d(curves.positionAt(graze->curve, edge.at(on.x())), motion_.timeOf(on.y()));
     };
     if (!addCurveOn(to_.faces[graze->face].face, shape, onGraze, {1, 1}, arc.range())) return;
     divider.faces.push_back(graze->face);
@@ -140,7 +150,7 @@ void TurningStep::appendContactCurves(const Graze& graze, int time, int f) {
     const OfTwo speed = motion_.speedOn(edge, f);
     for (const double u : zerosOf([&](double x) { return speed({x, time}); }, edge.range)) {
       const Vector3d p = edge.at(u);
-      if (curves.curveOf(p, time) == graze.curve) crossings.push_back(curves.positionAt(p));
+      if (curves.curveOf(p, time) == graze.curve) crossings.push_back(curves.positionAt(graze.curve, p));
     }
   }
   std::sort(crossings.begin(), crossings.end());
@@ -177,14 +187,14 @@ void TurningStep::appendContactCurve(const Graze& graze, int time, int f, Range 
             [&](double x) { return Vector2d(x, motion_.timeOf(time)); }, {1, 1}, w))
       return;
   }
-  if (!surface.isPlane) {
-    const double angle = body_.anglesOf(f).at(0.5);
+  if (!surface.isPlane()) {
+    const Vector2d near = body_.middleOf(f);
     const auto onCap = [&](double x) {
       return cap < static_cast<int>(fixed_.count())
                  ? fixed_.parametersOf(cap, exact(x))
-                 : surface.parametersOf(curves.at(graze.curve, x, time), angle);
+                 : body_.surfaceOf(f).parametersOf(curves.at(graze.curve, x, time), near);
     };
-    if (!addCurveOn(to_.faces[cap].face, edge, onCap, {surface.radius, 1}, w)) return;
+    if (!addCurveOn(to_.faces[cap].face, edge, onCap, {surface.radius + surface.tube, 1}, w)) return;
   }
   to_.dividers.push_back({edge, {graze.face, cap}});
 }
@@ -228,7 +238,7 @@ void TurningStep::appendCrossings(const Graze& graze, const OfTwo& area) {
     const BodyEdge& edge = body_.edges[contact.edge];
     const auto onGraze = [&](double t) {
       const Vector2d on = contact.arc.at(t);
-      return Vector2d(curves_[graze.surface].positionAt(edge.at(on.x())), on.y());
+      return Vector2d(curves_[graze.surface].positionAt(graze.curve, edge.at(on.x())), on.y());
     };
     for (const double t :
          zerosOf([&](double x) { return area(onGraze(x)); }, contact.arc.range())) {

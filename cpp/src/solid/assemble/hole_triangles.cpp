@@ -2,15 +2,12 @@
 #include "solid/assemble/hole_triangles.h"
 
 #include <BRepAdaptor_Curve.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
 #include <GCPnts_TangentialDeflection.hxx>
-#include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "geometry/self_intersections.h"
 #include "solid/assemble/kernel_geometry.h"
@@ -27,24 +24,14 @@ constexpr double kFacetFraction = 0.8, kSnapFraction = 0.1;
 constexpr double kMaxTurn = 0.9;     // rad, between points of a curved edge
 constexpr double kMinHeight = 1e-5;  // mm, of a triangle
 
-std::vector<double> areasOf(const std::vector<TopoDS_Face>& faces) {
-  std::vector<double> areas;
-  for (const TopoDS_Face& face : faces) {
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(face, properties);
-    areas.push_back(std::abs(properties.Mass()));
-  }
-  return areas;
-}
-
 std::array<double, 3> placeOf(const Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
 }  // namespace
 
-HoleTriangles::HoleTriangles(const std::vector<TopoDS_Face>& faces, const std::vector<int>& finer,
+HoleTriangles::HoleTriangles(const std::vector<double>& areas, const std::vector<int>& finer,
                              std::vector<OpenEdge> open, const HalfEdgeMesh& mesh, double tolerance)
     : finer_(finer),
-      area_(areasOf(faces)),
+      area_(areas),
       open_(std::move(open)),
       tolerance_(tolerance),
       imprint_(mesh, kSnapFraction * tolerance),
@@ -63,8 +50,6 @@ void HoleTriangles::cut(std::vector<char>& isWrong) {
   }
   if (std::count(isWrong.begin(), isWrong.end(), 1) == 0) findHoles(isWrong);
 }
-
-double HoleTriangles::faceArea() const { return std::accumulate(area_.begin(), area_.end(), 0.0); }
 
 bool HoleTriangles::insertPoints(std::size_t edge) {
   const BRepAdaptor_Curve curve(open_[edge].edge);

@@ -36,9 +36,9 @@ struct EdgePath {
 
 class HoleTriangles {
  public:
-  /// `finer`: by face, how often its edges get more vertices than the tolerance demands. `mesh`:
-  /// thinned, if it is large.
-  HoleTriangles(const std::vector<TopoDS_Face>& faces, const std::vector<int>& finer,
+  /// By face: `areas` in mm^2; `finer`: how often its edges get more vertices than the tolerance
+  /// demands. `mesh`: thinned, if it is large.
+  HoleTriangles(const std::vector<double>& areas, const std::vector<int>& finer,
                 std::vector<OpenEdge> open, const HalfEdgeMesh& mesh, double tolerance);
 
   /// Cuts the mesh. Marks faces that must be left out, if this fails.
@@ -47,8 +47,6 @@ class HoleTriangles {
   /// `original` mesh. Marks faces at triangles without area, and at triangles that intersect.
   void simplify(const NearestTriangle& original, RunContext& run, std::vector<char>& isWrong);
 
-  /// mm^2: of all faces.
-  double faceArea() const;
   const std::vector<OpenEdge>& open() const { return open_; }
   /// By open edge.
   const std::vector<EdgePath>& paths() const { return paths_; }

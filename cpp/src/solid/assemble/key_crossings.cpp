@@ -43,8 +43,8 @@ void appendKeyCrossings(const ElementaryBody& body, const StepPath& before, cons
   }
   for (std::size_t i = 0; i < body.surfaces.size(); ++i) {
     const BodySurface& surface = body.surfaces[i];
-    const ContactCurves curves(surface, before);
-    const Range w = curves.extent(body, static_cast<int>(i));
+    const ContactCurves curves(body, static_cast<int>(i), before);
+    const Range w = curves.extent();
     for (int curve = 0; curve < curves.count(); ++curve) {
       const auto speed = [&](double x) {
         const Vector3d p = curves.at(curve, x, 1);

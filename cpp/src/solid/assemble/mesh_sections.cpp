@@ -145,8 +145,13 @@ class Finder {
   // Makes sections from the chains of the triangulations.
   void followChains(const Message_ProgressRange& progress) {
     std::map<std::pair<int, int>, std::vector<std::vector<Piercing>>> chains;
-    for (FaceChain& chain : faces_.chains())
-      chains[{chain.a, chain.b}].push_back(std::move(chain.points));
+    for (FaceChain& chain : faces_.chains()) {
+      const bool isPossible =
+          std::any_of(chain.points.begin(), chain.points.end(), [&](const Piercing& p) {
+            return faces_.isPossible(chain.a, p.on[0]) && faces_.isPossible(chain.b, p.on[1]);
+          });
+      if (isPossible) chains[{chain.a, chain.b}].push_back(std::move(chain.points));
+    }
     std::vector<Vector3d> ends;
     Message_ProgressScope scope(progress, "", static_cast<double>(chains.size()));
     for (const auto& [pair, found] : chains) {
@@ -175,6 +180,7 @@ class Finder {
   // Makes the section through a point where a border or divider of face a passes through face b.
   void startAt(int a, int b, const Vector3d& p, const std::array<Vector2d, 2>& on) {
     if (faces_.areOfOneGroup(a, b)) return;
+    if (!faces_.isPossible(a, on[0]) || !faces_.isPossible(b, on[1])) return;
     std::vector<FaceCurve>& sections = sections_[std::minmax(a, b)];
     const bool isKnown = std::any_of(sections.begin(), sections.end(), [&](const FaceCurve& known) {
       return isNear(pointOf(p), known.edge, kOneCurve);

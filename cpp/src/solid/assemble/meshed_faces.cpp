@@ -78,7 +78,9 @@ MeshedFaces::MeshedFaces(const std::vector<SweptFace>& faces, double deflection)
   for (const SweptFace& face : faces) builder.Add(all, face.face);
   constexpr double kAngle = 0.1;
   BRepMesh_IncrementalMesh(all, deflection, Standard_False, kAngle);
-  TopExp::MapShapes(all, TopAbs_EDGE, edges_);
+  for (TopExp_Explorer it(all, TopAbs_EDGE); it.More(); it.Next()) {
+    if (!BRep_Tool::Degenerated(TopoDS::Edge(it.Current()))) edges_.Add(it.Current());
+  }
   for (const SweptFace& face : faces) {
     for (const TopoDS_Edge& edge : face.inner) edges_.Add(edge);
   }
@@ -101,7 +103,12 @@ void MeshedFaces::appendParts(const TopoDS_Face& face, const TopoDS_Edge& edge,
   whole.isStraight = Geom2dAdaptor_Curve(whole.curve).GetType() == GeomAbs_Line;
   std::vector<double> ends{whole.range[0]};
   if (!whole.isStraight) {
-    const OfOne slope = [&](double t) { return whole.curve->DN(t, 1).Y(); };
+    const OfOne slope = [&](double t) {
+      gp_Pnt2d p;
+      gp_Vec2d along;
+      whole.curve->D1(t, p, along);
+      return along.Y();
+    };
     const std::vector<double> turns = zerosOf(slope, {whole.range[0], whole.range[1]});
     ends.insert(ends.end(), turns.begin(), turns.end());
   }
@@ -139,9 +146,10 @@ MeshedFaces::Meshed MeshedFaces::meshOf(const TopoDS_Face& face,
     mesh.triangles.push_back({a - 1, b - 1, c - 1});
   }
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-    const int e = edges_.FindIndex(it.Current());
-    mesh.edges.insert(e);
     appendParts(face, TopoDS::Edge(it.Current()), mesh.parts);
+    const int e = edges_.FindIndex(it.Current());
+    if (e == 0) continue;  // degenerated
+    mesh.edges.insert(e);
     const auto polygon = BRep_Tool::PolygonOnTriangulation(TopoDS::Edge(it.Current()), made, place);
     if (polygon.IsNull()) continue;
     const TColStd_Array1OfInteger& along = polygon->Nodes();
@@ -198,6 +206,13 @@ bool MeshedFaces::isInFace(int f, const Vector2d& on) const {
       isInside ^= part.uAt(on.y()) > on.x();
   }
   return isInside;
+}
+
+bool MeshedFaces::isPossible(int f, const Vector2d& on) const {
+  constexpr double kSure = 1e-3;
+  const std::vector<Condition>& conditions = given_[f].conditions;
+  return std::all_of(conditions.begin(), conditions.end(),
+                     [&](const Condition& condition) { return condition(on) >= -kSure; });
 }
 
 bool MeshedFaces::isInRange(int f, const Vector2d& on) const {

@@ -56,7 +56,7 @@ class MeshedFaces {
   std::size_t size() const { return faces_.size(); }
   const TopoDS_Face& face(int f) const { return given_[f].face; }
   double deflection() const { return deflection_; }
-  /// All edges, from 1.
+  /// All edges that are not degenerated, from 1.
   const TopTools_IndexedMapOfShape& edges() const { return edges_; }
   TopoDS_Edge edge(int e) const { return TopoDS::Edge(edges_(e)); }
   const std::set<int>& edgesOf(int f) const { return faces_[f].edges; }
@@ -69,6 +69,8 @@ class MeshedFaces {
 
   Jet jet(int f, const Eigen::Vector2d& on) const;
   bool isInFace(int f, const Eigen::Vector2d& on) const;
+  /// Returns whether a point of a face meets the conditions for points of the envelope.
+  bool isPossible(int f, const Eigen::Vector2d& on) const;
   /// Returns whether the parameters are within the range of those of the face, or a little beyond.
   bool isInRange(int f, const Eigen::Vector2d& on) const;
   /// Returns the curve of an edge in the parameters of a face; null if there is none.

@@ -14,9 +14,13 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "base/parallel.h"
+#include "base/union_find.h"
 
 namespace swept::step {
 namespace {
@@ -231,9 +235,31 @@ void Pieces::closeWith(const std::vector<int>& doubtful) {
   if (open.empty()) return;
   ChainBasis basis;
   for (const int f : doubtful) basis.add(borderOf(f), f);
-  const std::vector<int> inverted = basis.reduce(open);
-  if (!open.empty()) return;
-  for (const int f : inverted) chosen_[f] = !chosen_[f];
+  for (Chain& border : connectedParts(open)) {
+    const std::vector<int> inverted = basis.reduce(border);
+    if (!border.empty()) continue;
+    for (const int f : inverted) chosen_[f] = !chosen_[f];
+  }
+}
+
+std::vector<Chain> Pieces::connectedParts(const Chain& edges) const {
+  TopTools_IndexedMapOfShape vertices;
+  const auto endsOf = [&](int e) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges_.FindKey(e));
+    return std::array<int, 2>{vertices.Add(TopExp::FirstVertex(edge)) - 1,
+                              vertices.Add(TopExp::LastVertex(edge)) - 1};
+  };
+  for (const int e : edges) endsOf(e);
+  std::vector<int> groups = singleSets<int>(vertices.Extent());
+  for (const int e : edges) {
+    const auto [a, b] = endsOf(e);
+    unite(groups, a, b);
+  }
+  std::map<int, Chain> parts;
+  for (const int e : edges) parts[findRoot(groups, endsOf(e)[0])].push_back(e);
+  std::vector<Chain> result;
+  for (auto& [group, part] : parts) result.push_back(std::move(part));
+  return result;
 }
 
 void Pieces::dropBubbles(const std::vector<int>& doubtful) {

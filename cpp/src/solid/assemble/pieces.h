@@ -74,9 +74,11 @@ class Pieces {
   // Chooses pieces by their votes. The samples cannot judge pieces that are narrower than their
   // distance. So some choices are inverted, to close the surface.
   void choose();
-  // Inverts the choice of some of the pieces, so that no edge is open. Prefers pieces at the front.
-  // Does nothing if that is not possible.
+  // Inverts the choice of some of the pieces, so that as few edges as possible are open. Prefers
+  // pieces at the front.
   void closeWith(const std::vector<int>& doubtful);
+  // Returns the parts of a chain that have no common vertex.
+  std::vector<Chain> connectedParts(const Chain& edges) const;
   // Drops pieces that form a closed surface on their own.
   void dropBubbles(const std::vector<int>& doubtful);
   // Orients narrow pieces as their neighbours are oriented.

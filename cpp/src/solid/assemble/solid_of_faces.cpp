@@ -18,6 +18,8 @@
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
@@ -55,6 +57,24 @@ TopoDS_Face onPlane(const TopoDS_Face& face) {
   for (TopoDS_Iterator wire(face.Oriented(TopAbs_FORWARD)); wire.More(); wire.Next())
     builder.Add(result, wire.Value());
   return TopoDS::Face(result.Oriented(face.Orientation()));
+}
+
+// Returns the edges between faces that are certainly not on one surface. It takes the kernel some
+// time to compare two splines.
+TopTools_MapOfShape edgesBetweenSurfaces(const TopoDS_Shape& shape) {
+  const auto isSpline = [](const Handle(Geom_Surface) & surface) {
+    return surface->IsKind(STANDARD_TYPE(Geom_BSplineSurface));
+  };
+  TopTools_IndexedDataMapOfShapeListOfShape edges;
+  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, edges);
+  TopTools_MapOfShape between;
+  for (int e = 1; e <= edges.Extent(); ++e) {
+    if (edges(e).Extent() != 2) continue;
+    const Handle(Geom_Surface) a = BRep_Tool::Surface(TopoDS::Face(edges(e).First())),
+                               b = BRep_Tool::Surface(TopoDS::Face(edges(e).Last()));
+    if (a != b && (isSpline(a) || isSpline(b))) between.Add(edges.FindKey(e));
+  }
+  return between;
 }
 
 // Makes one solid for each outer shell. Cavities are shells with a negative volume.
@@ -152,9 +172,14 @@ TopoDS_Compound compoundOf(const std::vector<TopoDS_Face>& faces) {
 
 TopoDS_Shape joined(const TopoDS_Shape& shape, bool withEdges) {
   try {
-    ShapeUpgrade_UnifySameDomain joiner(shape, withEdges, Standard_True, Standard_False);
-    joiner.Build();
-    return joiner.Shape();
+    ShapeUpgrade_UnifySameDomain faces(shape, Standard_False, Standard_True, Standard_False);
+    faces.KeepShapes(edgesBetweenSurfaces(shape));
+    faces.Build();
+    if (!withEdges) return faces.Shape();
+    ShapeUpgrade_UnifySameDomain edges(faces.Shape(), Standard_True, Standard_False,
+                                       Standard_False);
+    edges.Build();
+    return edges.Shape();
   } catch (const Standard_Failure&) {
     return shape;
   }

@@ -24,9 +24,9 @@
 #include "motion/pivot.h"
 #include "motion/step_path.h"
 #include "solid/assemble/cut_body.h"
-#include "solid/assemble/elementary_body.h"
 #include "solid/assemble/kernel_geometry.h"
 #include "solid/assemble/mesh_sections.h"
+#include "solid/assemble/possible_faces.h"
 #include "solid/assemble/straight_sections.h"
 #include "solid/assemble/turning_faces.h"
 
@@ -37,9 +37,9 @@ using Eigen::Vector3d;
 
 /// Number of faces of the body times number of moves. With more, the kernel would take minutes.
 constexpr std::size_t kMaxFaces = 2000;
-/// The same if the body moves and turns at the same time: a star of 12 faces takes 3 s for each
-/// step, and the time grows with the square of the number.
-constexpr std::size_t kMaxTurningFaces = 120;
+/// The same if the body moves and turns at the same time: a pulley of 76 faces takes 45 CPU seconds
+/// for two steps, and the time grows with the square of the number.
+constexpr std::size_t kMaxTurningFaces = 400;
 /// Shorter moves (mm) and smaller turns (rad) are no motion.
 constexpr double kNoMove = 1e-9, kNoTurn = 1e-10;
 
@@ -220,7 +220,7 @@ Trajectory withoutRests(Trajectory trajectory) {
 bool canTurn(const BodyShape& body, const Trajectory& trajectory) {
   return trajectory.interpolation != Interpolation::None && trajectory.poses.size() >= 2 &&
          faceCount(body.shape) * (trajectory.poses.size() - 1) <= kMaxTurningFaces &&
-         isElementary(body.shape) && isOneSolid(body.shape);
+         isOneSolid(body.shape);
 }
 
 SweptFaces facesOfTurns(const BodyShape& body, const Trajectory& trajectory, const Sides& sides,
@@ -230,8 +230,9 @@ SweptFaces facesOfTurns(const BodyShape& body, const Trajectory& trajectory, con
   gp_Trsf toPivot;
   toPivot.SetTranslation(vecOf(-pivot));
   const TopoDS_Shape seen = BRepBuilderAPI_Transform(body.shape, toPivot, Standard_True).Shape();
-  const auto made = turningFaces(seen, withoutRests(carriedByPivot(trajectory, pivot)));
+  auto made = turningFaces(seen, withoutRests(carriedByPivot(trajectory, pivot)));
   if (!made) return {};
+  dropImpossible(*made);
   SweptFaces result;
   result.faces = made->faces;
   result.sections =

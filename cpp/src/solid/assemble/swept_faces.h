@@ -15,8 +15,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <Message_ProgressRange.hxx>
 #include <TopoDS_Face.hxx>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,6 +29,10 @@
 
 namespace swept::step {
 
+/// A condition for a point of a face, given by its parameters, to lie on the envelope. Negative
+/// where it cannot.
+using Condition = std::function<double(const Eigen::Vector2d&)>;
+
 struct SweptFace {
   static constexpr int kAlone = -1;
   TopoDS_Face face;
@@ -34,6 +40,8 @@ struct SweptFace {
   int group = kAlone;
   /// Borders of other faces that lie on this one.
   std::vector<TopoDS_Edge> inner = {};
+  /// The face is divided where the sign of one of these changes.
+  std::vector<Condition> conditions = {};
 };
 
 struct SweptFaces {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/assemble/turning_step.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Line.hxx>
@@ -10,7 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <optional>
+#include <set>
 
+#include "solid/assemble/contacts_within.h"
 #include "solid/assemble/fitted_edge.h"
 #include "solid/assemble/kernel_geometry.h"
 
@@ -24,22 +29,22 @@ bool TurningStep::append(const PosedBody& start, const PosedBody& end,
   constexpr double kNoTravel = 1e-5;  // mm
   if (motion_.shortest() < kNoTravel) return false;
   for (std::size_t f = 0; f < body_.faces.size(); ++f) {
-    const bool canSlide = body_.surfaceOf(static_cast<int>(f)).isPlane || !motion_.doesTurn();
+    const BodySurface& surface = body_.surfaceOf(static_cast<int>(f));
+    const bool canSlide = surface.isPlane() || (surface.isCylinder() && !motion_.doesTurn());
     if (motion_.slides(static_cast<int>(f)) && !canSlide) return false;
   }
   caps_ = caps;
-  const std::vector<double> times = motion_.pinches();
-  for (std::size_t i = 1; i + 1 < times.size(); ++i)
-    between_.emplace_back(body_.shape, path_.poseAt(times[i]));
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-    Span& span = spans_.emplace_back();
-    span.s = {times[i], times[i + 1]};
-    span.start = i == 0 ? &start : &between_[i - 1];
-    span.end = i + 2 == times.size() ? &end : &between_[i];
-    if (!makePaths(span)) return false;
+  findTimes();
+  for (std::size_t i = 1; i + 1 < times_.size(); ++i)
+    between_.emplace_back(body_.shape, path_.poseAt(times_[i]));
+  posed_.push_back(&start);
+  for (const PosedBody& posed : between_) posed_.push_back(&posed);
+  posed_.push_back(&end);
+  for (std::size_t v = 0; v < paths_.size(); ++v) {
+    if (!makePaths(static_cast<int>(v))) return false;
   }
   for (std::size_t e = 0; e < body_.edges.size(); ++e) {
-    appendSheet(static_cast<int>(e));
+    appendSheets(static_cast<int>(e));
     findContacts(static_cast<int>(e));
   }
   for (std::size_t i = 0; i < curves_.size(); ++i) {
@@ -55,17 +60,55 @@ bool TurningStep::append(const PosedBody& start, const PosedBody& end,
   }
   for (const Graze& graze : grazes_) {
     for (const int time : {0, 1}) {
-      if ((time == 0 && graze.s.from <= 0) || (time == 1 && graze.s.to >= 1))
-        appendContactCurves(graze, time);
+      if (graze.reaches(time)) appendContactCurves(graze, time);
     }
     appendRegression(graze);
+  }
+  for (std::size_t f = 0; f < body_.faces.size(); ++f) {
+    for (const int time : {0, 1}) appendContactsOfCap(static_cast<int>(f), time);
   }
   return true;
 }
 
+const TurningStep::Graze* TurningStep::grazeAt(int surface, const Vector3d& p, int time) const {
+  const ContactCurves& curves = curves_[surface];
+  if (curves.count() == 0) return nullptr;
+  const int curve = curves.curveOf(p, time);
+  const auto found = std::find_if(grazes_.begin(), grazes_.end(), [&](const Graze& graze) {
+    return graze.surface == surface && graze.curve == curve && graze.reaches(time);
+  });
+  return found == grazes_.end() ? nullptr : &*found;
+}
+
+void TurningStep::appendContactsOfCap(int f, int time) {
+  const int surface = body_.faces[f].surface;
+  if (body_.surfaces[surface].isPlane() || motion_.slides(f)) return;
+  std::vector<gp_Pnt> atBorder;
+  for (const int e : body_.faces[f].edges) {
+    const BodyEdge& edge = body_.edges[e];
+    const OfTwo speed = motion_.speedOn(edge, f);
+    for (const double u : zerosOf([&](double x) { return speed({x, time}); }, edge.range))
+      atBorder.push_back(pointOf(motion_.at(edge.at(u), time)));
+  }
+  const Moment moment(path_, time);
+  const auto seen = [&](const gp_Pnt& p) -> Vector3d {
+    const Placement& placement = moment.placement;
+    return placement.rotation.transpose() * (vectorOf(p.XYZ()) - placement.translation);
+  };
+  const Velocity velocity = [&](const gp_Pnt& p) {
+    return vecOf(moment.placement.rotation * moment.velocityAt(seen(p)));
+  };
+  const int cap = (*caps_[time])[f];
+  for (const TopoDS_Edge& edge : contactsWithin(to_.faces[cap].face, velocity, atBorder)) {
+    const BRepAdaptor_Curve curve(edge);
+    const gp_Pnt middle = curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2);
+    if (grazeAt(surface, seen(middle), time) == nullptr) to_.dividers.push_back({edge, {cap}});
+  }
+}
+
 void TurningStep::addPathsTo(FixedSurfaces& fixed, std::size_t step) const {
   const auto add = [&](int surface, int vertex) {
-    for (const Span& span : spans_) fixed.add(surface, span.paths[vertex]);
+    for (const VertexPath& path : paths_[vertex]) fixed.add(surface, path.path);
   };
   for (std::size_t f = 0; f < body_.faces.size(); ++f) {
     if (!motion_.slides(static_cast<int>(f))) continue;
@@ -78,46 +121,86 @@ void TurningStep::addPathsTo(FixedSurfaces& fixed, std::size_t step) const {
   for (std::size_t e = 0; e < body_.edges.size(); ++e) {
     const int plane = fixed.planeOf(step, e);
     if (plane < 0) continue;
-    fixed.add(plane, spans_.front().start->of(body_.edges[e]));
-    fixed.add(plane, spans_.back().end->of(body_.edges[e]));
+    fixed.add(plane, posed_.front()->of(body_.edges[e]));
+    fixed.add(plane, posed_.back()->of(body_.edges[e]));
     for (const int v : {body_.edges[e].from, body_.edges[e].to}) add(plane, v);
   }
 }
 
-bool TurningStep::makePaths(Span& span) const {
+bool TurningStep::doesSweep(const BodyEdge& edge) const {
+  return body_.isConvex(edge) && motion_.isOutline(edge) && !motion_.planeOf(edge);
+}
+
+void TurningStep::findTimes() {
+  constexpr double kOneTime = 1e-6;
+  paths_.resize(body_.vertices.Extent());
+  sheets_.resize(body_.edges.size());
+  std::vector<std::optional<std::vector<double>>> pinches(body_.edges.size());
+  times_ = {0, 1};
+  for (std::size_t e = 0; e < body_.edges.size(); ++e) {
+    if (!doesSweep(body_.edges[e])) continue;
+    pinches[e] = motion_.pinchesOf(body_.edges[e]);
+    times_.insert(times_.end(), pinches[e]->begin(), pinches[e]->end());
+  }
+  std::sort(times_.begin(), times_.end());
+  times_.erase(std::unique(times_.begin(), times_.end(),
+                           [](double a, double b) { return b - a < kOneTime; }),
+               times_.end());
+  times_.back() = 1;
+  const int last = static_cast<int>(times_.size()) - 1;
+  std::vector<std::set<int>> ofVertex(paths_.size(), {0, last});
+  for (std::size_t e = 0; e < body_.edges.size(); ++e) {
+    const BodyEdge& edge = body_.edges[e];
+    if (!pinches[e]) continue;
+    std::set<int> own{0, last};
+    for (const double s : *pinches[e]) {
+      const auto after = std::lower_bound(times_.begin(), times_.end(), s - kOneTime);
+      own.insert(std::min(last, static_cast<int>(after - times_.begin())));
+    }
+    for (const int v : {edge.from, edge.to}) ofVertex[v].insert(own.begin(), own.end());
+    for (auto it = own.begin(); std::next(it) != own.end(); ++it)
+      sheets_[e].push_back({*it, *std::next(it), -1});
+  }
+  for (std::size_t v = 0; v < paths_.size(); ++v) {
+    for (auto it = ofVertex[v].begin(); std::next(it) != ofVertex[v].end(); ++it)
+      paths_[v].push_back({*it, *std::next(it), {}});
+  }
+}
+
+bool TurningStep::makePaths(int vertex) {
   const BRep_Builder builder;
-  for (int v = 0; v < body_.vertices.Extent(); ++v) {
-    const Vector3d p = body_.point(v);
-    TopoDS_Edge edge = fittedEdge([&](double t) { return motion_.at(p, t / motion_.length()); },
-                                  motion_.timeOf(span.s));
-    if (edge.IsNull()) return false;
-    const TopoDS_Shape& vertex = body_.vertices(v + 1);
-    builder.Add(edge, span.start->of(vertex).Oriented(TopAbs_FORWARD));
-    builder.Add(edge, span.end->of(vertex).Oriented(TopAbs_REVERSED));
-    span.paths.push_back(edge);
+  const Vector3d p = body_.point(vertex);
+  const TopoDS_Shape& shape = body_.vertices(vertex + 1);
+  for (VertexPath& path : paths_[vertex]) {
+    path.path = fittedEdge([&](double t) { return motion_.at(p, t / motion_.length()); },
+                           motion_.timeOf(between(path.from, path.to)));
+    if (path.path.IsNull()) return false;
+    builder.Add(path.path, posed_[path.from]->of(shape).Oriented(TopAbs_FORWARD));
+    builder.Add(path.path, posed_[path.to]->of(shape).Oriented(TopAbs_REVERSED));
   }
   return true;
 }
 
-void TurningStep::appendSheet(int e) {
+void TurningStep::appendSheets(int e) {
+  if (sheets_[e].empty()) return;
   const BodyEdge& edge = body_.edges[e];
-  for (Span& span : spans_) span.sheets.push_back(-1);
-  if (!body_.isConvex(edge) || !motion_.isOutline(edge) || motion_.planeOf(edge)) return;
   const Knots line(1, {edge.range.from, edge.range.to});
   const auto fitted = fitSheet(
       [&](double u, double t) { return motion_.at(edge.at(u), t / motion_.length()); }, edge.range,
       {0, motion_.length()}, edge.isStraight ? &line : nullptr, kSurfaceBound, kMaxTurningPoles);
   if (!fitted) return;
-  for (Span& span : spans_) {
+  for (Sheet& sheet : sheets_[e]) {
     // The whole surface may intersect itself. The kernel would find points on the wrong part.
-    const Handle(Geom_Surface) surface =
-        kernelSheet(fitted->sheet->part(edge.range, motion_.timeOf(span.s)));
-    span.sheets.back() = static_cast<int>(to_.faces.size());
-    to_.faces.push_back({sheetOf(edge, span, surface), SweptFace::kAlone});
+    const Handle(Geom_Surface) surface = kernelSheet(
+        fitted->sheet->part(edge.range, motion_.timeOf(between(sheet.from, sheet.to))));
+    sheet.face = static_cast<int>(to_.faces.size());
+    SweptFace& added = to_.faces.emplace_back();
+    added.face = sheetOf(edge, sheet, surface);
+    added.conditions.push_back(conditions_.ofSheet(e));
   }
 }
 
-TopoDS_Face TurningStep::sheetOf(const BodyEdge& edge, const Span& span,
+TopoDS_Face TurningStep::sheetOf(const BodyEdge& edge, const Sheet& sheet,
                                  const Handle(Geom_Surface) & surface) const {
   const BRep_Builder builder;
   TopoDS_Face face;
@@ -133,11 +216,17 @@ TopoDS_Face TurningStep::sheetOf(const BodyEdge& edge, const Span& span,
     builder.UpdateEdge(border, new Geom2d_Line(start, along), face, Precision::Confusion());
     builder.Add(wire, border.Oriented(isForward ? TopAbs_FORWARD : TopAbs_REVERSED));
   };
-  const Range t = motion_.timeOf(span.s);
-  add(span.start->of(edge), true, {edge.range.from, t.from}, {1, 0});
-  add(span.paths[edge.to], true, {edge.range.to, t.from}, {0, 1});
-  add(span.end->of(edge), false, {edge.range.from, t.to}, {1, 0});
-  add(span.paths[edge.from], false, {edge.range.from, t.from}, {0, 1});
+  const auto addPaths = [&](int vertex, bool isForward, double u) {
+    for (const VertexPath& path : paths_[vertex]) {
+      if (path.from >= sheet.from && path.to <= sheet.to)
+        add(path.path, isForward, {u, motion_.timeOf(times_[path.from])}, {0, 1});
+    }
+  };
+  const Range t = motion_.timeOf(between(sheet.from, sheet.to));
+  add(posed_[sheet.from]->of(edge), true, {edge.range.from, t.from}, {1, 0});
+  addPaths(edge.to, true, edge.range.to);
+  add(posed_[sheet.to]->of(edge), false, {edge.range.from, t.to}, {1, 0});
+  addPaths(edge.from, false, edge.range.from);
   wire.Closed(Standard_True);
   builder.Add(face, wire);
   return face;
@@ -146,21 +235,26 @@ TopoDS_Face TurningStep::sheetOf(const BodyEdge& edge, const Span& span,
 void TurningStep::findContacts(int e) {
   const BodyEdge& edge = body_.edges[e];
   if (body_.isWithinSurface(edge)) return;
+  std::vector<Sheet> parts = sheets_[e];
+  if (parts.empty()) parts.push_back({0, static_cast<int>(times_.size()) - 1, -1});
   for (const int f : edge.faces) {
     const ContactCurves& curves = curves_[body_.faces[f].surface];
-    if (curves.count() == 0) continue;
-    for (std::size_t i = 0; i < spans_.size(); ++i) {
-      for (const ZeroArc& arc : motion_.contactsOf(edge, f, spans_[i].s)) {
+    const bool isOther = curves.count() == 0;
+    if (isOther && body_.surfaceOf(f).isPlane()) continue;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const Range within = between(parts[i].from, parts[i].to);
+      for (const ZeroArc& arc : motion_.contactsOf(edge, f, within)) {
         const Range range = arc.range();
-        Range s{HUGE_VAL, -HUGE_VAL};
+        const Vector2d middle = arc.at(range.at(0.5));
+        const int curve = isOther ? kNoCurve : curves.curveOf(edge.at(middle.x()), middle.y());
+        Range s{HUGE_VAL, -HUGE_VAL}, w = s;
         constexpr int kPoints = 16;
         for (int j = 0; j <= kPoints; ++j) {
-          const double x =
-              std::clamp(arc.at(range.at(static_cast<double>(j) / kPoints)).y(), 0.0, 1.0);
-          s = {std::min(s.from, x), std::max(s.to, x)};
+          const Vector2d on = arc.at(range.at(static_cast<double>(j) / kPoints));
+          s = s.with(std::clamp(on.y(), 0.0, 1.0));
+          if (!isOther) w = w.with(curves.positionAt(curve, edge.at(on.x())));
         }
-        const Vector2d middle = arc.at(range.at(0.5));
-        contacts_.push_back({e, f, curves.curveOf(edge.at(middle.x()), middle.y()), i, arc, s});
+        contacts_.push_back({e, f, curve, i, arc, s, w});
       }
     }
   }

@@ -5,12 +5,14 @@
 
 #include <TopoDS_Edge.hxx>
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "motion/step_path.h"
 #include "solid/assemble/body_motion.h"
 #include "solid/assemble/contact_curves.h"
 #include "solid/assemble/elementary_body.h"
+#include "solid/assemble/envelope_conditions.h"
 #include "solid/assemble/fixed_surfaces.h"
 #include "solid/assemble/turning_faces.h"
 #include "solid/assemble/zero_curves.h"
@@ -28,10 +30,16 @@ constexpr double kSameTime = 1e-9, kOneStep = 1.0 / kZeroSteps;
 
 class TurningStep {
  public:
-  TurningStep(const ElementaryBody& body, const StepPath& path, const BodyMotion& motion,
+  TurningStep(const std::shared_ptr<const MovingBody>& moving, std::size_t step,
               const FixedSurfaces& fixed, TurningFaces& to)
-      : body_(body), path_(path), motion_(motion), fixed_(fixed), to_(to) {
-    for (const BodySurface& surface : body.surfaces) curves_.emplace_back(surface, path);
+      : body_(moving->body),
+        path_(moving->paths[step]),
+        motion_(moving->motions[step]),
+        conditions_(moving, step),
+        fixed_(fixed),
+        to_(to) {
+    for (std::size_t i = 0; i < body_.surfaces.size(); ++i)
+      curves_.emplace_back(body_, static_cast<int>(i), path_);
   }
 
   /// Returns false if a vertex is at rest, or if a cylinder turns about its axis. `caps`: of the
@@ -42,23 +50,27 @@ class TurningStep {
   void addPathsTo(FixedSurfaces& fixed, std::size_t step) const;
 
  private:
-  // The body between two times of a step: the copies there, what the edges sweep between them.
-  struct Span {
-    Range s;
-    const PosedBody* start;
-    const PosedBody* end;
-    std::vector<TopoDS_Edge> paths;  // by vertex
-    std::vector<int> sheets;         // by edge: a face, or -1
+  // Between two times of the step: what a vertex and what an edge sweeps. The times are indices in
+  // `times_`.
+  struct VertexPath {
+    int from, to;
+    TopoDS_Edge path;
+  };
+  struct Sheet {
+    int from, to;
+    int face;  // of the result, or -1
   };
 
   // A curve on what an edge sweeps, on which the normal of a face at the edge is orthogonal to the
   // velocity: it is a path of points of contact.
+  static constexpr int kNoCurve = -1;
   struct Contact {
     int edge, face;
-    int curve;  // of ContactCurves
-    std::size_t span;
+    int curve;  // of ContactCurves, or kNoCurve
+    std::size_t sheet;  // of the edge
     ZeroArc arc;  // parameter of the edge, time
     Range s;
+    Range w;  // positions on the contact curve
   };
 
   // A grazing surface. Its parameters are the position on the contact curve, and time.
@@ -66,13 +78,20 @@ class TurningStep {
     int surface, curve;
     Range w, s;
     int face;
+    // `time`: 0 or 1.
+    bool reaches(int time) const { return time == 0 ? s.from <= 0 : s.to >= 1; }
   };
 
-  bool makePaths(Span& span) const;
-  // Appends what an edge sweeps: a face for each span. Its parameters are that of the edge, and
-  // time.
-  void appendSheet(int e);
-  TopoDS_Face sheetOf(const BodyEdge& edge, const Span& span,
+  // Returns whether an edge sweeps surfaces of the envelope that stay in no plane.
+  bool doesSweep(const BodyEdge& edge) const;
+  // Finds the times at which sheets are cut, by edge and by vertex.
+  void findTimes();
+  Range between(int from, int to) const { return {times_[from], times_[to]}; }
+  bool makePaths(int vertex);
+  // Appends what an edge sweeps: a face between any two of its times. Its parameters are that of
+  // the edge, and time.
+  void appendSheets(int e);
+  TopoDS_Face sheetOf(const BodyEdge& edge, const Sheet& sheet,
                       const Handle(Geom_Surface) & surface) const;
   // Finds the paths of points of contact that lie on an edge.
   void findContacts(int e);
@@ -100,6 +119,11 @@ class TurningStep {
   void appendContactCurves(const Graze& graze, int time);
   void appendContactCurves(const Graze& graze, int time, int f);
   void appendContactCurve(const Graze& graze, int time, int f, Range w);
+  // Appends the contact curves of a curved face at the start (0) or the end (1) of the step for
+  // which there are no grazing surfaces.
+  void appendContactsOfCap(int f, int time);
+  // Returns the grazing surface that begins or ends in a contact curve through a point.
+  const Graze* grazeAt(int surface, const Eigen::Vector3d& p, int time) const;
   // Appends the edges of regression of a grazing surface: there it is tangent to itself, as the
   // contact curve has the velocity of the body.
   void appendRegression(const Graze& graze);
@@ -109,12 +133,16 @@ class TurningStep {
   const ElementaryBody& body_;
   const StepPath& path_;
   const BodyMotion& motion_;
+  const EnvelopeConditions conditions_;
   const FixedSurfaces& fixed_;
   TurningFaces& to_;
   std::array<const std::vector<int>*, 2> caps_{};  // at the start and the end
   std::vector<ContactCurves> curves_;              // by surface of the body
+  std::vector<double> times_;  // of pinches, and the start and the end of the step
   std::vector<PosedBody> between_;
-  std::vector<Span> spans_;
+  std::vector<const PosedBody*> posed_;          // by time
+  std::vector<std::vector<VertexPath>> paths_;   // by vertex
+  std::vector<std::vector<Sheet>> sheets_;       // by edge
   std::vector<Contact> contacts_;
   std::vector<Graze> grazes_;
 };

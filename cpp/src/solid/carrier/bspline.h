@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
@@ -22,6 +23,8 @@ struct Range {
   double length() const { return to - from; }
   double at(double fraction) const { return from + fraction * (to - from); }
   Range grown(double fraction) const { return {at(-fraction), at(1 + fraction)}; }
+  /// Returns the smallest range that contains this one and a value.
+  Range with(double value) const { return {std::min(from, value), std::max(to, value)}; }
 };
 
 class Knots {

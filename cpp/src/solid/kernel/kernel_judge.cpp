@@ -186,10 +186,11 @@ class KernelJudge : public Judge {
     run.checkpoint(Phase::Export);
     Assembly assembly;
     assembly.check = checkShape(brep_.readBack, run, 0.3, 0.5);
-    constexpr double kDeflection = 0.5;  // of the accuracy
-    constexpr double kAngle = 0.5;       // rad; the deflection demands more
-    triangles =
-        ShapeTriangles(brep_.readBack, kDeflection * sides.detail(), kAngle).of(brep_.readBack);
+    constexpr double kOfDetail = 0.5, kOfTolerance = 0.01;
+    constexpr double kAngle = 0.5;  // rad; the deflection demands more
+    const double deflection =
+        std::max(kOfDetail * sides.detail(), kOfTolerance * options.tolerance);
+    triangles = ShapeTriangles(brep_.readBack, deflection, kAngle).of(brep_.readBack);
     for (TopExp_Explorer it(brep_.readBack, TopAbs_FACE); it.More(); it.Next())
       ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];
     return assembly;

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/envelope_conditions.h"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <Precision.hxx>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "solid/assemble/kernel_geometry.h"
+#include "solid/sweep/contact.h"
+
+namespace swept::step {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+MovingBody::MovingBody(const TopoDS_Shape& shape, const Trajectory& trajectory) : body(shape) {
+  const std::vector<Pose>& poses = trajectory.poses;
+  paths.reserve(poses.size());
+  for (std::size_t k = 0; k + 1 < poses.size(); ++k) {
+    paths.emplace_back(poses[k], poses[k + 1], trajectory.interpolation);
+    motions.emplace_back(body, paths.back());
+  }
+}
+
+Condition EnvelopeConditions::ofCap(const TopoDS_Face& posed, int time) const {
+  const BRepAdaptor_Surface surface(posed, Standard_False);
+  const double sign = (posed.Orientation() == TopAbs_REVERSED) == (time == 1) ? -1 : 1;
+  const Moment moment(path(), time);
+  return [surface, sign, moment](const Vector2d& on) {
+    gp_Pnt p;
+    gp_Vec alongU, alongV;
+    surface.D1(on.x(), on.y(), p, alongU, alongV);
+    const Placement& placement = moment.placement;
+    const Vector3d seen =
+        placement.rotation.transpose() * (vectorOf(p.XYZ()) - placement.translation);
+    const Vector3d normal = vectorOf(alongU.Crossed(alongV).XYZ()),
+                   velocity = placement.rotation * moment.velocityAt(seen);
+    const double sizes = normal.norm() * velocity.norm();
+    return sizes > 0 ? sign * normal.dot(velocity) / sizes : 0;
+  };
+}
+
+Condition EnvelopeConditions::ofSheet(std::size_t edge) const {
+  return [moving = moving_, step = step_, edge](const Vector2d& on) {
+    const BodyEdge& of = moving->body.edges[edge];
+    const Moment moment(moving->paths[step], on.y() / moving->motions[step].length());
+    const Vector3d velocity = moment.velocityAt(of.at(on.x())).normalized();
+    return -moving->body.normalAt(of, of.faces[0], on.x()).dot(velocity) *
+           moving->body.normalAt(of, of.faces[1], on.x()).dot(velocity);
+  };
+}
+
+std::vector<Condition> EnvelopeConditions::ofGraze(int surface, int curve) const {
+  const ElementaryBody& body = moving_->body;
+  const ContactCurves curves(body, surface, path());
+  std::vector<std::pair<int, std::shared_ptr<BRepTopAdaptor_FClass2d>>> faces;
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    if (body.faces[f].surface != surface) continue;
+    faces.emplace_back(f, std::make_shared<BRepTopAdaptor_FClass2d>(body.faces[f].shape,
+                                                                    Precision::PConfusion()));
+  }
+  const double length = moving_->motions[step_].length();
+  const auto isInFace = [moving = moving_, curves, faces, curve, length](const Vector2d& on) {
+    const Vector3d p = curves.at(curve, on.x(), on.y() / length);
+    if (!p.allFinite()) return -1.0;
+    for (const auto& [f, border] : faces) {
+      const Vector2d q = moving->body.surfaceOf(f).parametersOf(p, moving->body.middleOf(f));
+      if (border->Perform(gp_Pnt2d(q.x(), q.y())) == TopAbs_IN) return 1.0;
+    }
+    return -1.0;
+  };
+  const auto isOutside = [moving = moving_, step = step_, curves, surface, curve,
+                          length](const Vector2d& on) {
+    // Where the path of the point only touches the surface, samples judge better.
+    constexpr double kStep = 1e-3, kTouching = 0.02;
+    const StepPath& along = moving->paths[step];
+    const BodySurface& of = moving->body.surfaces[surface];
+    const double s = on.y() / length;
+    const Vector3d p = along.at(s).apply(curves.at(curve, on.x(), s));
+    if (!p.allFinite()) return -1.0;
+    double distance = 0;
+    for (const double other : {s - kStep, s + kStep}) {
+      const Placement placement = along.at(other);
+      distance += of.outward *
+                  of.distanceTo(placement.rotation.transpose() * (p - placement.translation));
+    }
+    return distance / (kStep * kStep * length) + kTouching;
+  };
+  return {isInFace, isOutside};
+}
+
+}  // namespace swept::step
