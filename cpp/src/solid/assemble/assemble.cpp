@@ -138,7 +138,7 @@ double nearestEnds(const std::vector<SweptFace>& faces) {
   return std::min(worst, kMaxNear);
 }
 
-TopoDS_Shape dividedAtSections(const SweptFaces& given, double near) {
+PossiblePieces dividedAtSections(const SweptFaces& given, double near) {
   std::vector<TopoDS_Face> faces;
   for (const SweptFace& face : given.faces) faces.push_back(face.face);
   try {
@@ -168,9 +168,10 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
     for (const double near :
          std::set<double>{std::max(faces.near, least), std::max(kLargerNear, least), kMaxNear}) {
       if (scope.UserBreak()) return {};
-      const TopoDS_Shape divided = dividedAtSections(faces, near);
-      if (divided.IsNull()) continue;
-      const AssembledSweep sweep = sweepOf(attempts.emplace_back(divided, sides));
+      const PossiblePieces divided = dividedAtSections(faces, near);
+      if (divided.shape.IsNull()) continue;
+      const AssembledSweep sweep =
+          sweepOf(attempts.emplace_back(divided.shape, sides, divided.unlikely));
       if (!sweep.shape.IsNull()) return sweep;
     }
     const auto hasFewerOpenEdges = [](const Pieces& a, const Pieces& b) {

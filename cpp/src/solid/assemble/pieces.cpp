@@ -30,7 +30,8 @@ constexpr int kMinSamples = 3;
 
 }  // namespace
 
-Pieces::Pieces(const TopoDS_Shape& fused, const Sides& sides) : fused_(fused), sides_(sides) {
+Pieces::Pieces(const TopoDS_Shape& fused, const Sides& sides, const TopTools_MapOfShape& unlikely)
+    : fused_(fused), sides_(sides) {
   TopExp::MapShapes(fused, TopAbs_FACE, faces_);
   TopExp::MapShapesAndAncestors(fused, TopAbs_EDGE, TopAbs_FACE, edges_);
   votes_.resize(faces_.Extent() + 1);
@@ -52,7 +53,7 @@ Pieces::Pieces(const TopoDS_Shape& fused, const Sides& sides) : fused_(fused), s
       if (inner.count() >= kMinSamples) votes_[f] = inner;
     }
   });
-  choose();
+  choose(unlikely);
 }
 
 Votes Pieces::votesOf(const std::vector<FaceSample>& samples) const {
@@ -193,16 +194,17 @@ Chain Pieces::borderOf(int f) const {
   return border;
 }
 
-void Pieces::choose() {
+void Pieces::choose(const TopTools_MapOfShape& unlikely) {
   chosen_.assign(faces_.Extent() + 1, 0);
   turned_.assign(faces_.Extent() + 1, 0);
   std::vector<std::pair<double, int>> costs;  // of inverting a choice
   for (int f = 1; f <= faces_.Extent(); ++f) {
     const Votes& votes = votes_[f];
     const int yes = std::max(votes.behind, votes.before), no = votes.both + votes.none;
-    chosen_[f] = hasSide(f);
+    const bool isUnlikely = unlikely.Contains(faces_(f));
+    chosen_[f] = hasSide(f) && !isUnlikely;
     turned_[f] = votes.before > votes.behind;
-    if (isDoubtful(f)) costs.emplace_back(area_[f] * (1 + std::abs(yes - no)), f);
+    if (isDoubtful(f) || isUnlikely) costs.emplace_back(area_[f] * (1 + std::abs(yes - no)), f);
   }
   std::sort(costs.begin(), costs.end());
   for (const auto& [cost, f] : costs) doubtful_.push_back(f);

@@ -8,6 +8,7 @@
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -22,7 +23,8 @@ namespace swept::step {
 /// The pieces into which all faces cut each other.
 class Pieces {
  public:
-  Pieces(const TopoDS_Shape& fused, const Sides& sides);
+  /// `unlikely`: pieces that are chosen only if they close the surface.
+  Pieces(const TopoDS_Shape& fused, const Sides& sides, const TopTools_MapOfShape& unlikely = {});
 
   /// Returns the faces that bound the swept volume, their normals away from it: those of the cells
   /// that the pieces enclose and that lie inside. Empty if the pieces enclose nothing.
@@ -73,7 +75,7 @@ class Pieces {
 
   // Chooses pieces by their votes. The samples cannot judge pieces that are narrower than their
   // distance. So some choices are inverted, to close the surface.
-  void choose();
+  void choose(const TopTools_MapOfShape& unlikely);
   // Inverts the choice of some of the pieces, so that as few edges as possible are open. Prefers
   // pieces at the front.
   void closeWith(const std::vector<int>& doubtful);

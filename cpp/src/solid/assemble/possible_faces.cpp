@@ -42,16 +42,19 @@ bool isPossible(const SweptFace& face) {
   });
 }
 
-// Each condition has one sign on the whole piece, except for errors of its border.
-bool isPiecePossible(const TopoDS_Face& piece, const std::vector<Condition>& conditions) {
+// Returns by how much a piece fails to meet its worst condition. Each condition has one sign on the
+// whole piece, except for errors of its border.
+double violationOf(const TopoDS_Face& piece, const std::vector<Condition>& conditions) {
   constexpr int kSamples = 25;
-  constexpr double kSure = 1e-7;
   const std::vector<FaceSample> samples = samplesOf(piece, kSamples);
-  return std::all_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
+  if (samples.empty()) return 0;
+  double worst = 0;
+  for (const Condition& condition : conditions) {
     double sum = 0;
     for (const FaceSample& sample : samples) sum += condition({sample.on.X(), sample.on.Y()});
-    return sum >= -kSure * static_cast<double>(samples.size());
-  });
+    worst = std::max(worst, -sum / static_cast<double>(samples.size()));
+  }
+  return worst;
 }
 
 // Keeps the curves on faces that have a number, and replaces the indices of the faces by these.
@@ -88,18 +91,25 @@ void dropImpossible(TurningFaces& made) {
   renumber(made.folds, numbers);
 }
 
-TopoDS_Shape possiblePieces(const TopoDS_Shape& pieces, const std::vector<SweptFace>& faces) {
+PossiblePieces possiblePieces(const TopoDS_Shape& pieces, const std::vector<SweptFace>& faces) {
+  constexpr double kRounding = 1e-7, kUnlikely = 1e-3;
   // Pieces have the surface of their face.
   std::map<const Geom_Surface*, const std::vector<Condition>*> conditions;
   for (const SweptFace& face : faces)
     conditions[BRep_Tool::Surface(face.face).get()] = &face.conditions;
+  PossiblePieces result;
   std::vector<TopoDS_Face> kept;
   for (TopExp_Explorer it(pieces, TopAbs_FACE); it.More(); it.Next()) {
     const TopoDS_Face& piece = TopoDS::Face(it.Current());
     const auto found = conditions.find(BRep_Tool::Surface(piece).get());
-    if (found == conditions.end() || isPiecePossible(piece, *found->second)) kept.push_back(piece);
+    const double violation =
+        found == conditions.end() ? 0 : violationOf(piece, *found->second);
+    if (violation > kUnlikely) continue;
+    if (violation > kRounding) result.unlikely.Add(piece);
+    kept.push_back(piece);
   }
-  return compoundOf(kept);
+  result.shape = compoundOf(kept);
+  return result;
 }
 
 }  // namespace swept::step

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
@@ -15,7 +16,13 @@ namespace swept::step {
 /// Drops the faces of which no sample meets its conditions, and the curves on them.
 void dropImpossible(TurningFaces& made);
 
-/// Returns those pieces that meet the conditions of the faces into which they were divided.
-TopoDS_Shape possiblePieces(const TopoDS_Shape& pieces, const std::vector<SweptFace>& faces);
+struct PossiblePieces {
+  TopoDS_Shape shape;
+  /// Pieces that nearly meet the conditions: no sample can tell whether they are on the envelope.
+  TopTools_MapOfShape unlikely;
+};
+
+/// Returns those pieces that meet the conditions of the faces that were divided.
+PossiblePieces possiblePieces(const TopoDS_Shape& pieces, const std::vector<SweptFace>& faces);
 
 }  // namespace swept::step
