@@ -102,8 +102,8 @@ Vector3d ContactCurves::at(int curve, double w, double s) const {
   const double sign = curve == 0 ? 1 : -1, speedAlong = velocity.dot(surface_.axis);
   const double c = std::cos(surface_.slope), e = -std::sin(surface_.slope);
   const double height = w * c, distance = surface_.radius - w * e;
-  const Vector3d m = c * (velocity - speedAlong * surface_.axis) +
-                     (distance * e - height * c) * across_;
+  const Vector3d m =
+      c * (velocity - speedAlong * surface_.axis) + (distance * e - height * c) * across_;
   const double size = m.norm(), cosine = -e * speedAlong / size;
   const Vector3d away =
       (cosine * m + sign * std::sqrt(1 - cosine * cosine) * surface_.axis.cross(m)) / size;

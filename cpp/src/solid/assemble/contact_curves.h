@@ -58,8 +58,8 @@ class ContactCurves {
   const StepPath& path_;
   Eigen::Vector3d origin_;  // of the positions
   Eigen::Vector3d along_, across_;
-  double size_ = 0;   // of axis x angular
-  double scale_ = 1;  // of a torus: mm per rad
+  double size_ = 0;                 // of axis x angular
+  double scale_ = 1;                // of a torus: mm per rad
   std::array<double, 2> middle_{};  // of a torus, by curve: the angle at position 0
   int count_ = 0;
   Range extent_;

@@ -231,7 +231,7 @@ Vector3d ElementaryBody::point(int vertex) const {
 Vector3d ElementaryBody::normalAt(const BodyEdge& edge, int f, double u) const {
   const BodySurface& surface = surfaceOf(f);
   if (surface.kind != BodySurface::Kind::Other) return surface.normalAt(edge.at(u));
-  const Handle(Geom2d_Curve) & on = edge.onFaces[f == edge.faces[0] ? 0 : 1];
+  const Handle(Geom2d_Curve)& on = edge.onFaces[f == edge.faces[0] ? 0 : 1];
   if (on.IsNull()) return Vector3d::Zero();
   const gp_Pnt2d q = on->Value(u);
   gp_Pnt p;

@@ -61,7 +61,8 @@ struct BodySurface {
   Eigen::Vector3d normalAt(const Eigen::Vector3d& p) const;
   /// mm, along `axis`, or away from it.
   double distanceTo(const Eigen::Vector3d& p) const;
-  /// Returns the kernel's parameters of a point of the surface. Angles are within pi of those given.
+  /// Returns the kernel's parameters of a point of the surface. Angles are within pi of those
+  /// given.
   Eigen::Vector2d parametersOf(const Eigen::Vector3d& p, const Eigen::Vector2d& near) const;
   /// Returns the foot of the perpendicular from the origin onto the plane or the axis.
   Eigen::Vector3d footOfOrigin() const;
@@ -122,8 +123,7 @@ class PosedBody {
  public:
   PosedBody(const TopoDS_Shape& body, const Pose& pose);
   TopoDS_Face of(const BodyFace& face) const {
-    return TopoDS::Face(
-        maker_->ModifiedShape(face.shape).Oriented(face.shape.Orientation()));
+    return TopoDS::Face(maker_->ModifiedShape(face.shape).Oriented(face.shape.Orientation()));
   }
   /// Forward.
   TopoDS_Edge of(const BodyEdge& edge) const {

@@ -59,8 +59,8 @@ std::vector<Condition> EnvelopeConditions::ofGraze(int surface, int curve) const
   std::vector<std::pair<int, std::shared_ptr<BRepTopAdaptor_FClass2d>>> faces;
   for (std::size_t f = 0; f < body.faces.size(); ++f) {
     if (body.faces[f].surface != surface) continue;
-    faces.emplace_back(f, std::make_shared<BRepTopAdaptor_FClass2d>(body.faces[f].shape,
-                                                                    Precision::PConfusion()));
+    faces.emplace_back(
+        f, std::make_shared<BRepTopAdaptor_FClass2d>(body.faces[f].shape, Precision::PConfusion()));
   }
   const double length = moving_->motions[step_].length();
   const auto isInFace = [moving = moving_, curves, faces, curve, length](const Vector2d& on) {
@@ -84,8 +84,8 @@ std::vector<Condition> EnvelopeConditions::ofGraze(int surface, int curve) const
     double distance = 0;
     for (const double other : {s - kStep, s + kStep}) {
       const Placement placement = along.at(other);
-      distance += of.outward *
-                  of.distanceTo(placement.rotation.transpose() * (p - placement.translation));
+      distance +=
+          of.outward * of.distanceTo(placement.rotation.transpose() * (p - placement.translation));
     }
     return distance / (kStep * kStep * length) + kTouching;
   };

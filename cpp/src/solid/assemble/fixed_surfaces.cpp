@@ -90,7 +90,7 @@ bool FixedSurfaces::areSame(const Fixed& a, const Fixed& b) {
   constexpr double kSameAngle = 1e-9;  // rad
   if (!a.carrier.isAtPlaceOf(b.carrier, kSamePlace)) return false;
   return a.carrier.isPlane() || ((a.carrier.x - b.carrier.x).norm() < kSameAngle &&
-                               std::abs(a.halfWidth - b.halfWidth) < kSameAngle);
+                                 std::abs(a.halfWidth - b.halfWidth) < kSameAngle);
 }
 
 int FixedSurfaces::indexOf(const Fixed& fixed) {

@@ -64,9 +64,9 @@ void TurningStep::appendGrazes(int surface, int curve) {
     if (!fitted) continue;
     grazes_.push_back({surface, curve, w, s, static_cast<int>(to_.faces.size())});
     SweptFace& added = to_.faces.emplace_back();
-    added.face = BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), w.from, w.to,
-                                         motion_.timeOf(s.from), motion_.timeOf(s.to),
-                                         Precision::Confusion());
+    added.face =
+        BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), w.from, w.to, motion_.timeOf(s.from),
+                                motion_.timeOf(s.to), Precision::Confusion());
     added.conditions = conditions_.ofGraze(surface, curve);
   }
 }
@@ -150,7 +150,8 @@ void TurningStep::appendContactCurves(const Graze& graze, int time, int f) {
     const OfTwo speed = motion_.speedOn(edge, f);
     for (const double u : zerosOf([&](double x) { return speed({x, time}); }, edge.range)) {
       const Vector3d p = edge.at(u);
-      if (curves.curveOf(p, time) == graze.curve) crossings.push_back(curves.positionAt(graze.curve, p));
+      if (curves.curveOf(p, time) == graze.curve)
+        crossings.push_back(curves.positionAt(graze.curve, p));
     }
   }
   std::sort(crossings.begin(), crossings.end());
@@ -194,7 +195,8 @@ void TurningStep::appendContactCurve(const Graze& graze, int time, int f, Range 
                  ? fixed_.parametersOf(cap, exact(x))
                  : body_.surfaceOf(f).parametersOf(curves.at(graze.curve, x, time), near);
     };
-    if (!addCurveOn(to_.faces[cap].face, edge, onCap, {surface.radius + surface.tube, 1}, w)) return;
+    if (!addCurveOn(to_.faces[cap].face, edge, onCap, {surface.radius + surface.tube, 1}, w))
+      return;
   }
   to_.dividers.push_back({edge, {graze.face, cap}});
 }

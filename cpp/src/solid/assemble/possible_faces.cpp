@@ -102,8 +102,7 @@ PossiblePieces possiblePieces(const TopoDS_Shape& pieces, const std::vector<Swep
   for (TopExp_Explorer it(pieces, TopAbs_FACE); it.More(); it.Next()) {
     const TopoDS_Face& piece = TopoDS::Face(it.Current());
     const auto found = conditions.find(BRep_Tool::Surface(piece).get());
-    const double violation =
-        found == conditions.end() ? 0 : violationOf(piece, *found->second);
+    const double violation = found == conditions.end() ? 0 : violationOf(piece, *found->second);
     if (violation > kUnlikely) continue;
     if (violation > kRounding) result.unlikely.Add(piece);
     kept.push_back(piece);

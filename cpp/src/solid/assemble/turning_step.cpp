@@ -12,8 +12,9 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <optional>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "solid/assemble/contacts_within.h"
 #include "solid/assemble/fitted_edge.h"
@@ -135,12 +136,22 @@ void TurningStep::findTimes() {
   constexpr double kOneTime = 1e-6;
   paths_.resize(body_.vertices.Extent());
   sheets_.resize(body_.edges.size());
-  std::vector<std::optional<std::vector<double>>> pinches(body_.edges.size());
+  // Parts of one curve are cut at the same times: those of edges between the same surfaces.
+  using Surfaces = std::pair<int, int>;
+  const auto surfacesAt = [&](const BodyEdge& edge) -> Surfaces {
+    return std::minmax({body_.faces[edge.faces[0]].surface, body_.faces[edge.faces[1]].surface});
+  };
+  std::map<Surfaces, std::vector<double>> pinches;
+  std::vector<char> sweeps(body_.edges.size());
   times_ = {0, 1};
   for (std::size_t e = 0; e < body_.edges.size(); ++e) {
-    if (!doesSweep(body_.edges[e])) continue;
-    pinches[e] = motion_.pinchesOf(body_.edges[e]);
-    times_.insert(times_.end(), pinches[e]->begin(), pinches[e]->end());
+    const BodyEdge& edge = body_.edges[e];
+    sweeps[e] = doesSweep(edge);
+    if (!sweeps[e]) continue;
+    const std::vector<double> found = motion_.pinchesOf(edge);
+    std::vector<double>& all = pinches[surfacesAt(edge)];
+    all.insert(all.end(), found.begin(), found.end());
+    times_.insert(times_.end(), found.begin(), found.end());
   }
   std::sort(times_.begin(), times_.end());
   times_.erase(std::unique(times_.begin(), times_.end(),
@@ -151,9 +162,9 @@ void TurningStep::findTimes() {
   std::vector<std::set<int>> ofVertex(paths_.size(), {0, last});
   for (std::size_t e = 0; e < body_.edges.size(); ++e) {
     const BodyEdge& edge = body_.edges[e];
-    if (!pinches[e]) continue;
+    if (!sweeps[e]) continue;
     std::set<int> own{0, last};
-    for (const double s : *pinches[e]) {
+    for (const double s : pinches[surfacesAt(edge)]) {
       const auto after = std::lower_bound(times_.begin(), times_.end(), s - kOneTime);
       own.insert(std::min(last, static_cast<int>(after - times_.begin())));
     }
@@ -191,8 +202,8 @@ void TurningStep::appendSheets(int e) {
   if (!fitted) return;
   for (Sheet& sheet : sheets_[e]) {
     // The whole surface may intersect itself. The kernel would find points on the wrong part.
-    const Handle(Geom_Surface) surface = kernelSheet(
-        fitted->sheet->part(edge.range, motion_.timeOf(between(sheet.from, sheet.to))));
+    const Handle(Geom_Surface) surface =
+        kernelSheet(fitted->sheet->part(edge.range, motion_.timeOf(between(sheet.from, sheet.to))));
     sheet.face = static_cast<int>(to_.faces.size());
     SweptFace& added = to_.faces.emplace_back();
     added.face = sheetOf(edge, sheet, surface);

@@ -66,9 +66,9 @@ class TurningStep {
   static constexpr int kNoCurve = -1;
   struct Contact {
     int edge, face;
-    int curve;  // of ContactCurves, or kNoCurve
+    int curve;          // of ContactCurves, or kNoCurve
     std::size_t sheet;  // of the edge
-    ZeroArc arc;  // parameter of the edge, time
+    ZeroArc arc;        // parameter of the edge, time
     Range s;
     Range w;  // positions on the contact curve
   };
@@ -140,9 +140,9 @@ class TurningStep {
   std::vector<ContactCurves> curves_;              // by surface of the body
   std::vector<double> times_;  // of pinches, and the start and the end of the step
   std::vector<PosedBody> between_;
-  std::vector<const PosedBody*> posed_;          // by time
-  std::vector<std::vector<VertexPath>> paths_;   // by vertex
-  std::vector<std::vector<Sheet>> sheets_;       // by edge
+  std::vector<const PosedBody*> posed_;         // by time
+  std::vector<std::vector<VertexPath>> paths_;  // by vertex
+  std::vector<std::vector<Sheet>> sheets_;      // by edge
   std::vector<Contact> contacts_;
   std::vector<Graze> grazes_;
 };
