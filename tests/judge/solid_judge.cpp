@@ -9,11 +9,16 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -28,6 +33,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <gp_Elips.hxx>
 #include <sstream>
 #include <stdexcept>
 
@@ -163,9 +169,47 @@ double blockError(const TopoDS_Shape& shape) {
 
 }  // namespace
 
+namespace {
+
+void writeBrep(const TopoDS_Shape& shape, const std::string& path) {
+  if (!BRepTools::Write(shape, path.c_str())) throw std::runtime_error("cannot write " + path);
+}
+
+// Returns an edge all of whose points have this z.
+TopoDS_Edge circleAt(const TopoDS_Shape& shape, double z) {
+  for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next()) {
+    const BRepAdaptor_Curve curve(TopoDS::Edge(it.Current()));
+    const double first = curve.FirstParameter(), last = curve.LastParameter();
+    if (curve.GetType() == GeomAbs_Circle && std::abs(curve.Value(first).Z() - z) < 1e-9 &&
+        std::abs(curve.Value((first + last) / 2).Z() - z) < 1e-9)
+      return TopoDS::Edge(it.Current());
+  }
+  throw std::runtime_error("no circle");
+}
+
+}  // namespace
+
 void writeRod(double radius, double length, const std::string& path) {
-  if (!BRepTools::Write(BRepPrimAPI_MakeCylinder(radius, length).Shape(), path.c_str()))
-    throw std::runtime_error("cannot write " + path);
+  writeBrep(BRepPrimAPI_MakeCylinder(radius, length).Shape(), path);
+}
+
+void writeRodWithChamferAndFillet(double radius, double length, const std::string& path) {
+  constexpr double kChamfer = 1, kFillet = 1.5;
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(radius, length).Shape();
+  BRepFilletAPI_MakeChamfer chamfer(rod);
+  chamfer.Add(kChamfer, circleAt(rod, 0));
+  const TopoDS_Shape chamfered = chamfer.Shape();
+  BRepFilletAPI_MakeFillet fillet(chamfered);
+  fillet.Add(kFillet, circleAt(chamfered, length));
+  writeBrep(fillet.Shape(), path);
+}
+
+void writeEllipticRod(double majorRadius, double minorRadius, double length,
+                      const std::string& path) {
+  const gp_Elips base(gp::XOY(), majorRadius, minorRadius);
+  const TopoDS_Shape face =
+      BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(base)).Wire());
+  writeBrep(BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, length)).Shape(), path);
 }
 
 TopoDS_Shape readShape(const std::string& path) {

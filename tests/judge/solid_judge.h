@@ -34,6 +34,13 @@ TopoDS_Shape readShape(const std::string& path);
 /// Writes a cylinder about the z axis, from z = 0, as a BREP file.
 void writeRod(double radius, double length, const std::string& path);
 
+/// Does the same, with a chamfer around the bottom and a fillet around the top.
+void writeRodWithChamferAndFillet(double radius, double length, const std::string& path);
+
+/// Writes a cylinder with an ellipse as its base, as a BREP file.
+void writeEllipticRod(double majorRadius, double minorRadius, double length,
+                      const std::string& path);
+
 /// Writes a block of 30 x 20 x 10 with a hole and rounded edges, which are tangent to its faces, as
 /// a BREP file.
 void writeRoundedBlock(const std::string& path);

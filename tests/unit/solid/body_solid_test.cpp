@@ -226,6 +226,33 @@ TEST_F(BodySolid, BoxAlongAScrewWithARest) {
   expectExactFaces();
 }
 
+TEST_F(BodySolid, ConesAndToriOfATurningBody) {
+  const std::string file = folder_.file("rod.brep");
+  writeRodWithChamferAndFillet(kRadius, kLength, file);
+  resolution_ = 48;
+  readBodyFrom(file);
+  sweep({{0, 0, 0}, {9, 13, 8}}, turned(0.6, {1, 2, 1}));
+  expectExactFaces();
+  EXPECT_GE(kinds_["cone"], 1);
+  EXPECT_GE(kinds_["torus"], 1);
+  EXPECT_LE(judged_.faces, 30);
+}
+
+// The wall is neither a plane nor a surface of revolution: what it grazes becomes facets.
+TEST_F(BodySolid, OtherSurfacesOfATurningBodyLeaveFacets) {
+  const std::string file = folder_.file("rod.brep");
+  writeEllipticRod(8, 5, kLength, file);
+  readBodyFrom(file);
+  sweep({{0, 0, 0}, {9, 13, 8}}, turned(0.6, {1, 2, 1}));
+  const SolidOptions options = optionsWithOrigin();
+  const WrittenSolid report = write(options);
+  EXPECT_GE(kinds_["sheet"] + kinds_["extrusion"], 4);
+  EXPECT_TRUE(judged_.valid);
+  EXPECT_EQ(judged_.solids, 1);
+  EXPECT_LE(judged_.blockError, 1e-6);
+  EXPECT_LE(report.deviation, options.tolerance);
+}
+
 // Two surfaces of this sweep are nearly tangent along a curve that the program does not find.
 TEST_F(BodySolid, AMissedSectionLeavesFewFacets) {
   resolution_ = 64;

@@ -12,8 +12,7 @@ namespace swept::step {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-BodyMotion::BodyMotion(const ElementaryBody& body, const StepPath& path)
-    : body_(body), path_(path) {
+BodyMotion::BodyMotion(const BodyGeometry& body, const StepPath& path) : body_(body), path_(path) {
   constexpr int kChords = 16;
   for (int v = 0; v < body.vertices.Extent(); ++v) {
     double travel = 0;

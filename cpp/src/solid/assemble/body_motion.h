@@ -12,14 +12,14 @@
 #include <vector>
 
 #include "motion/step_path.h"
-#include "solid/assemble/elementary_body.h"
+#include "solid/assemble/body_geometry.h"
 #include "solid/assemble/zero_curves.h"
 
 namespace swept::step {
 
 class BodyMotion {
  public:
-  BodyMotion(const ElementaryBody& body, const StepPath& path);
+  BodyMotion(const BodyGeometry& body, const StepPath& path);
 
   /// mm: the longest and the shortest path of a vertex.
   double length() const { return length_; }
@@ -59,7 +59,7 @@ class BodyMotion {
   bool isContact(const BodyEdge& edge, int f, double u, Range s) const;
   bool isSliding(int f) const;
 
-  const ElementaryBody& body_;
+  const BodyGeometry& body_;
   const StepPath& path_;
   double length_ = 0, shortest_ = HUGE_VAL;
   std::vector<char> slides_;  // by face

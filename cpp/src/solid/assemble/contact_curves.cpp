@@ -9,7 +9,7 @@ namespace swept::step {
 using Eigen::Vector3d;
 using Kind = BodySurface::Kind;
 
-ContactCurves::ContactCurves(const ElementaryBody& body, int index, const StepPath& path)
+ContactCurves::ContactCurves(const BodyGeometry& body, int index, const StepPath& path)
     : surface_(body.surfaces[index]),
       path_(path),
       origin_(surface_.origin),
@@ -44,7 +44,7 @@ ContactCurves::ContactCurves(const ElementaryBody& body, int index, const StepPa
   extent_ = extentOf(body, index);
 }
 
-double ContactCurves::middleOf(const ElementaryBody& body, int index, int curve) const {
+double ContactCurves::middleOf(const BodyGeometry& body, int index, int curve) const {
   constexpr int kAngles = 96, kTimes = 16;
   constexpr double kLarger = 1.05;  // times the face
   struct Extent {
@@ -59,7 +59,7 @@ double ContactCurves::middleOf(const ElementaryBody& body, int index, int curve)
   const auto isOnFace = [&](double angle) {
     for (int i = 0; i <= kTimes; ++i) {
       const Vector3d p = onTorus(curve, angle, static_cast<double>(i) / kTimes);
-      if (!p.allFinite()) return true;
+      if (!p.allFinite()) continue;
       for (const Extent& extent : extents) {
         const Eigen::Vector2d middle = extent.range.center(),
                               off = extent.surface->parametersOf(p, middle) - middle;
@@ -89,8 +89,10 @@ Vector3d ContactCurves::onTorus(int curve, double angle, double s) const {
       Eigen::Vector2d(velocity.dot(surface_.axis) + surface_.radius * away.dot(across_),
                       -away.dot(velocity))
           .normalized();
-  return origin_ + (surface_.radius + surface_.tube * onTube.x()) * away +
-         surface_.tube * onTube.y() * surface_.axis;
+  // Of a sphere, a point behind the axis belongs to the opposite angle.
+  const double distance = surface_.radius + surface_.tube * onTube.x();
+  if (surface_.radius == 0 && distance < 0) return Vector3d::Constant(NAN);
+  return origin_ + distance * away + surface_.tube * onTube.y() * surface_.axis;
 }
 
 Vector3d ContactCurves::at(int curve, double w, double s) const {
@@ -124,14 +126,15 @@ double ContactCurves::positionAt(int curve, const Vector3d& p) const {
 int ContactCurves::curveOf(const Vector3d& p, double s) const {
   if (surface_.isPlane()) return 0;
   const auto distance = [&](int curve) {
-    return surface_.kind == Kind::Torus
-               ? (onTorus(curve, surface_.parametersOf(p, {0, 0}).x(), s) - p).squaredNorm()
-               : (at(curve, positionAt(curve, p), s) - p).squaredNorm();
+    const Vector3d there = surface_.kind == Kind::Torus
+                               ? onTorus(curve, surface_.parametersOf(p, {0, 0}).x(), s)
+                               : at(curve, positionAt(curve, p), s);
+    return there.allFinite() ? (there - p).norm() : HUGE_VAL;
   };
   return distance(0) < distance(1) ? 0 : 1;
 }
 
-Range ContactCurves::extentOf(const ElementaryBody& body, int index) const {
+Range ContactCurves::extentOf(const BodyGeometry& body, int index) const {
   constexpr int kPoints = 32;
   Range w{HUGE_VAL, -HUGE_VAL};
   for (const BodyFace& face : body.faces) {

@@ -17,7 +17,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "solid/assemble/elementary_body.h"
+#include "solid/assemble/body_geometry.h"
 #include "solid/sweep/contact.h"
 
 namespace swept::step {
@@ -25,7 +25,7 @@ namespace swept::step {
 class ContactCurves {
  public:
   /// `index`: of the surface.
-  ContactCurves(const ElementaryBody& body, int index, const StepPath& path);
+  ContactCurves(const BodyGeometry& body, int index, const StepPath& path);
 
   /// Returns how many curves there are. A plane that keeps its direction has none. None are known
   /// on other surfaces.
@@ -47,12 +47,12 @@ class ContactCurves {
   const Eigen::Vector3d& along() const { return along_; }
 
  private:
-  Range extentOf(const ElementaryBody& body, int index) const;
+  Range extentOf(const BodyGeometry& body, int index) const;
   // Returns the point of a torus at an angle around the axis.
   Eigen::Vector3d onTorus(int curve, double angle, double s) const;
   // Returns the angle opposite to angles at which the curve is never on a face. NaN if it always
   // is.
-  double middleOf(const ElementaryBody& body, int index, int curve) const;
+  double middleOf(const BodyGeometry& body, int index, int curve) const;
 
   const BodySurface& surface_;
   const StepPath& path_;

@@ -3,7 +3,6 @@
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
-#include <Precision.hxx>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -54,13 +53,15 @@ Condition EnvelopeConditions::ofSheet(std::size_t edge) const {
 }
 
 std::vector<Condition> EnvelopeConditions::ofGraze(int surface, int curve) const {
-  const ElementaryBody& body = moving_->body;
+  const BodyGeometry& body = moving_->body;
   const ContactCurves curves(body, surface, path());
   std::vector<std::pair<int, std::shared_ptr<BRepTopAdaptor_FClass2d>>> faces;
   for (std::size_t f = 0; f < body.faces.size(); ++f) {
     if (body.faces[f].surface != surface) continue;
-    faces.emplace_back(
-        f, std::make_shared<BRepTopAdaptor_FClass2d>(body.faces[f].shape, Precision::PConfusion()));
+    // A contact curve may run along a border between two faces.
+    constexpr double kOnBorder = 1e-6;
+    faces.emplace_back(f,
+                       std::make_shared<BRepTopAdaptor_FClass2d>(body.faces[f].shape, kOnBorder));
   }
   const double length = moving_->motions[step_].length();
   const auto isInFace = [moving = moving_, curves, faces, curve, length](const Vector2d& on) {
@@ -68,7 +69,7 @@ std::vector<Condition> EnvelopeConditions::ofGraze(int surface, int curve) const
     if (!p.allFinite()) return -1.0;
     for (const auto& [f, border] : faces) {
       const Vector2d q = moving->body.surfaceOf(f).parametersOf(p, moving->body.middleOf(f));
-      if (border->Perform(gp_Pnt2d(q.x(), q.y())) == TopAbs_IN) return 1.0;
+      if (border->Perform(gp_Pnt2d(q.x(), q.y())) != TopAbs_OUT) return 1.0;
     }
     return -1.0;
   };

@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "motion/step_path.h"
+#include "solid/assemble/body_geometry.h"
 #include "solid/assemble/body_motion.h"
 #include "solid/assemble/contact_curves.h"
-#include "solid/assemble/elementary_body.h"
 #include "solid/assemble/swept_faces.h"
 #include "swept/types.h"
 
@@ -30,7 +30,7 @@ struct MovingBody {
   MovingBody(const MovingBody&) = delete;
   MovingBody& operator=(const MovingBody&) = delete;
 
-  const ElementaryBody body;
+  const BodyGeometry body;
   std::vector<StepPath> paths;
   std::vector<BodyMotion> motions;
 };

@@ -27,7 +27,7 @@ constexpr double kSamePlace = 1e-7;  // mm
 
 }  // namespace
 
-FixedSurfaces::FixedSurfaces(const ElementaryBody& body, const std::vector<Pose>& poses,
+FixedSurfaces::FixedSurfaces(const BodyGeometry& body, const std::vector<Pose>& poses,
                              const std::vector<BodyMotion>& motions, double reach) {
   const auto faceCount = static_cast<int>(body.faces.size());
   std::vector<char> isOfUse;

@@ -15,8 +15,8 @@
 #include <TopoDS_Edge.hxx>
 #include <vector>
 
+#include "solid/assemble/body_geometry.h"
 #include "solid/assemble/body_motion.h"
-#include "solid/assemble/elementary_body.h"
 #include "solid/assemble/swept_faces.h"
 
 namespace swept::step {
@@ -24,7 +24,7 @@ namespace swept::step {
 class FixedSurfaces {
  public:
   /// `motions`: by step. `reach`: mm, distance from the origin to the farthest point of the sweep.
-  FixedSurfaces(const ElementaryBody& body, const std::vector<Pose>& poses,
+  FixedSurfaces(const BodyGeometry& body, const std::vector<Pose>& poses,
                 const std::vector<BodyMotion>& motions, double reach);
 
   /// Returns the surface in which a face lies at a pose; -1 if no other copy lies there.

@@ -104,7 +104,7 @@ const TurningStep::Graze* TurningStep::grazeOf(const Contact& contact) const {
 void TurningStep::appendContact(const Contact& contact) {
   const BodyEdge& edge = body_.edges[contact.edge];
   const Graze* graze = grazeOf(contact);  // null if there is no regular surface
-  const std::vector<Sheet>& sheets = sheets_[contact.edge];
+  const std::vector<SheetPart>& sheets = sheets_[contact.edge];
   const int sheet = sheets.empty() ? -1 : sheets[contact.sheet].face;
   const ZeroArc& arc = contact.arc;
   const TopoDS_Edge shape = fittedEdge(

@@ -27,7 +27,7 @@ bool isZero(const OfOne& f, Range range, double scale) {
 
 }  // namespace
 
-void appendKeyCrossings(const ElementaryBody& body, const StepPath& before, const StepPath& after,
+void appendKeyCrossings(const BodyGeometry& body, const StepPath& before, const StepPath& after,
                         std::vector<gp_Pnt>& to) {
   const Moment end(before, 1), start(after, 0);
   const auto append = [&](const Vector3d& p) { to.push_back(pointOf(end.placement.apply(p))); };

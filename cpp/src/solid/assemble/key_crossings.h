@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "motion/step_path.h"
-#include "solid/assemble/elementary_body.h"
+#include "solid/assemble/body_geometry.h"
 
 namespace swept::step {
 
 /// Appends points on edges of the body, whose sheets of both steps have a common border there, and
 /// crossings of contact curves of both steps. In world coordinates.
-void appendKeyCrossings(const ElementaryBody& body, const StepPath& before, const StepPath& after,
+void appendKeyCrossings(const BodyGeometry& body, const StepPath& before, const StepPath& after,
                         std::vector<gp_Pnt>& to);
 
 }  // namespace swept::step

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "solid/assemble/elementary_body.h"
+#include "solid/assemble/body_geometry.h"
 #include "solid/assemble/shape_triangles.h"
 
 namespace swept::step {

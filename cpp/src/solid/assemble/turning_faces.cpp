@@ -36,7 +36,7 @@ double reachOf(const MovingBody& moving) {
 
 std::optional<TurningFaces> turningFaces(const TopoDS_Shape& shape, const Trajectory& trajectory) {
   const auto moving = std::make_shared<const MovingBody>(shape, trajectory);
-  const ElementaryBody& body = moving->body;
+  const BodyGeometry& body = moving->body;
   const bool isClosed = std::all_of(body.edges.begin(), body.edges.end(),
                                     [](const BodyEdge& edge) { return edge.faces[1] >= 0; });
   if (!isClosed) return std::nullopt;

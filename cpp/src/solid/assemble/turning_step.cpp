@@ -200,18 +200,18 @@ void TurningStep::appendSheets(int e) {
       [&](double u, double t) { return motion_.at(edge.at(u), t / motion_.length()); }, edge.range,
       {0, motion_.length()}, edge.isStraight ? &line : nullptr, kSurfaceBound, kMaxTurningPoles);
   if (!fitted) return;
-  for (Sheet& sheet : sheets_[e]) {
+  for (SheetPart& part : sheets_[e]) {
     // The whole surface may intersect itself. The kernel would find points on the wrong part.
     const Handle(Geom_Surface) surface =
-        kernelSheet(fitted->sheet->part(edge.range, motion_.timeOf(between(sheet.from, sheet.to))));
-    sheet.face = static_cast<int>(to_.faces.size());
+        kernelSheet(fitted->sheet->part(edge.range, motion_.timeOf(between(part.from, part.to))));
+    part.face = static_cast<int>(to_.faces.size());
     SweptFace& added = to_.faces.emplace_back();
-    added.face = sheetOf(edge, sheet, surface);
+    added.face = sheetOf(edge, part, surface);
     added.conditions.push_back(conditions_.ofSheet(e));
   }
 }
 
-TopoDS_Face TurningStep::sheetOf(const BodyEdge& edge, const Sheet& sheet,
+TopoDS_Face TurningStep::sheetOf(const BodyEdge& edge, const SheetPart& part,
                                  const Handle(Geom_Surface) & surface) const {
   const BRep_Builder builder;
   TopoDS_Face face;
@@ -229,14 +229,14 @@ TopoDS_Face TurningStep::sheetOf(const BodyEdge& edge, const Sheet& sheet,
   };
   const auto addPaths = [&](int vertex, bool isForward, double u) {
     for (const VertexPath& path : paths_[vertex]) {
-      if (path.from >= sheet.from && path.to <= sheet.to)
+      if (path.from >= part.from && path.to <= part.to)
         add(path.path, isForward, {u, motion_.timeOf(times_[path.from])}, {0, 1});
     }
   };
-  const Range t = motion_.timeOf(between(sheet.from, sheet.to));
-  add(posed_[sheet.from]->of(edge), true, {edge.range.from, t.from}, {1, 0});
+  const Range t = motion_.timeOf(between(part.from, part.to));
+  add(posed_[part.from]->of(edge), true, {edge.range.from, t.from}, {1, 0});
   addPaths(edge.to, true, edge.range.to);
-  add(posed_[sheet.to]->of(edge), false, {edge.range.from, t.to}, {1, 0});
+  add(posed_[part.to]->of(edge), false, {edge.range.from, t.to}, {1, 0});
   addPaths(edge.from, false, edge.range.from);
   wire.Closed(Standard_True);
   builder.Add(face, wire);
@@ -246,7 +246,7 @@ TopoDS_Face TurningStep::sheetOf(const BodyEdge& edge, const Sheet& sheet,
 void TurningStep::findContacts(int e) {
   const BodyEdge& edge = body_.edges[e];
   if (body_.isWithinSurface(edge)) return;
-  std::vector<Sheet> parts = sheets_[e];
+  std::vector<SheetPart> parts = sheets_[e];
   if (parts.empty()) parts.push_back({0, static_cast<int>(times_.size()) - 1, -1});
   for (const int f : edge.faces) {
     const ContactCurves& curves = curves_[body_.faces[f].surface];

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "motion/step_path.h"
+#include "solid/assemble/body_geometry.h"
 #include "solid/assemble/body_motion.h"
 #include "solid/assemble/contact_curves.h"
-#include "solid/assemble/elementary_body.h"
 #include "solid/assemble/envelope_conditions.h"
 #include "solid/assemble/fixed_surfaces.h"
 #include "solid/assemble/turning_faces.h"
@@ -56,14 +56,15 @@ class TurningStep {
     int from, to;
     TopoDS_Edge path;
   };
-  struct Sheet {
+  struct SheetPart {
     int from, to;
     int face;  // of the result, or -1
   };
 
+  static constexpr int kNoCurve = -1;
+
   // A curve on what an edge sweeps, on which the normal of a face at the edge is orthogonal to the
   // velocity: it is a path of points of contact.
-  static constexpr int kNoCurve = -1;
   struct Contact {
     int edge, face;
     int curve;          // of ContactCurves, or kNoCurve
@@ -91,7 +92,7 @@ class TurningStep {
   // Appends what an edge sweeps: a face between any two of its times. Its parameters are that of
   // the edge, and time.
   void appendSheets(int e);
-  TopoDS_Face sheetOf(const BodyEdge& edge, const Sheet& sheet,
+  TopoDS_Face sheetOf(const BodyEdge& edge, const SheetPart& part,
                       const Handle(Geom_Surface) & surface) const;
   // Finds the paths of points of contact that lie on an edge.
   void findContacts(int e);
@@ -130,7 +131,7 @@ class TurningStep {
   // Appends the points at which paths of contact cross edges of regression.
   void appendCrossings(const Graze& graze, const OfTwo& area);
 
-  const ElementaryBody& body_;
+  const BodyGeometry& body_;
   const StepPath& path_;
   const BodyMotion& motion_;
   const EnvelopeConditions conditions_;
@@ -142,7 +143,7 @@ class TurningStep {
   std::vector<PosedBody> between_;
   std::vector<const PosedBody*> posed_;         // by time
   std::vector<std::vector<VertexPath>> paths_;  // by vertex
-  std::vector<std::vector<Sheet>> sheets_;      // by edge
+  std::vector<std::vector<SheetPart>> sheets_;  // by edge
   std::vector<Contact> contacts_;
   std::vector<Graze> grazes_;
 };

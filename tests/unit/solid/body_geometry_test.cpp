@@ -1,20 +1,28 @@
-// What the solids of turning bodies begin with: zeros of functions, and the parts of a body with
-// planes and cylinders.
+// What the solids of turning bodies begin with: zeros of functions, the parts of a body, where they
+// touch the envelope, and where they may be on it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solid/assemble/elementary_body.h"
+#include "solid/assemble/body_geometry.h"
 
 #include <gtest/gtest.h>
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include "motion/step_path.h"
 #include "solid/assemble/body_motion.h"
+#include "solid/assemble/contact_curves.h"
+#include "solid/assemble/envelope_conditions.h"
 #include "solid/assemble/zero_curves.h"
+#include "solid/sweep/contact.h"
 
 namespace swept::step {
 namespace {
@@ -25,8 +33,8 @@ TopoDS_Shape notchedBox() {
       .Shape();
 }
 
-TEST(ElementaryBody, KnowsItsNormalsAndItsConcaveEdge) {
-  const ElementaryBody body(notchedBox());
+TEST(BodyGeometry, KnowsItsNormalsAndItsConcaveEdge) {
+  const BodyGeometry body(notchedBox());
   EXPECT_EQ(body.faces.size(), 8u);
   ASSERT_EQ(body.edges.size(), 18u);
   for (const BodyFace& face : body.faces) {
@@ -52,10 +60,10 @@ TEST(ElementaryBody, KnowsItsNormalsAndItsConcaveEdge) {
   EXPECT_FALSE(isOutward({-1, 0, 0}, {12, 0, 0}));
 }
 
-TEST(ElementaryBody, CutsClosedFacesAndKnowsTheirSurface) {
+TEST(BodyGeometry, CutsClosedFacesAndKnowsTheirSurface) {
   EXPECT_TRUE(isElementary(notchedBox()));
   EXPECT_FALSE(isElementary(BRepPrimAPI_MakeCone(2, 1, 5).Shape()));
-  const ElementaryBody body(BRepPrimAPI_MakeCylinder(2, 5).Shape());
+  const BodyGeometry body(BRepPrimAPI_MakeCylinder(2, 5).Shape());
   EXPECT_EQ(body.faces.size(), 4u);
   EXPECT_EQ(body.surfaces.size(), 3u);
   ASSERT_EQ(body.edges.size(), 6u);
@@ -76,8 +84,8 @@ TEST(ElementaryBody, CutsClosedFacesAndKnowsTheirSurface) {
   }
 }
 
-TEST(ElementaryBody, KnowsTheCornersOfItsFaces) {
-  const ElementaryBody body(notchedBox());
+TEST(BodyGeometry, KnowsTheCornersOfItsFaces) {
+  const BodyGeometry body(notchedBox());
   int corners = 0, others = 0;
   for (std::size_t f = 0; f < body.faces.size(); ++f) {
     for (int v = 0; v < body.vertices.Extent(); ++v) {
@@ -100,7 +108,7 @@ Pose poseAt(const Eigen::Vector3d& place, double angle, const Eigen::Vector3d& a
 }
 
 TEST(BodyMotion, KnowsWhatSlidesAndWhatTurnsInAPlane) {
-  const ElementaryBody body(notchedBox());
+  const BodyGeometry body(notchedBox());
   const StepPath path(poseAt({0, 0, 0}, 0, Eigen::Vector3d::UnitZ()),
                       poseAt({20, 5, 0}, 0.3, Eigen::Vector3d::UnitZ()), Interpolation::Linear);
   const BodyMotion motion(body, path);
@@ -125,7 +133,7 @@ TEST(BodyMotion, KnowsWhatSlidesAndWhatTurnsInAPlane) {
 
 // The ends of the arcs at the seams of a cylinder touch the envelope all the time.
 TEST(BodyMotion, FindsContactAtTheEndsOfEdges) {
-  const ElementaryBody body(BRepPrimAPI_MakeCylinder(2, 5).Shape());
+  const BodyGeometry body(BRepPrimAPI_MakeCylinder(2, 5).Shape());
   const StepPath path(poseAt({0, 0, 0}, 0, Eigen::Vector3d::UnitZ()),
                       poseAt({0, 20, 0}, 0, Eigen::Vector3d::UnitZ()), Interpolation::Linear);
   const BodyMotion motion(body, path);
@@ -142,6 +150,130 @@ TEST(BodyMotion, FindsContactAtTheEndsOfEdges) {
     }
   }
   EXPECT_EQ(found, 8) << "two at each of four arcs, none at the seams";
+}
+
+// Bodies with one curved surface each.
+std::vector<TopoDS_Shape> roundBodies() {
+  const gp_Ax2 axes(gp_Pnt(3, -2, 1), gp_Dir(1, 2, 3));
+  return {BRepPrimAPI_MakeCylinder(axes, 2, 5).Shape(), BRepPrimAPI_MakeCone(axes, 3, 1, 4).Shape(),
+          BRepPrimAPI_MakeTorus(axes, 6, 2, 0.3, 1.2, M_PI / 2).Shape(),
+          BRepPrimAPI_MakeSphere(axes, 4, 0.2, 1.3, M_PI / 2).Shape()};
+}
+
+TEST(BodyGeometry, RoundSurfacesHaveTheNormalsAndParametersOfTheKernel) {
+  for (const TopoDS_Shape& shape : roundBodies()) {
+    const BodyGeometry body(shape);
+    int count = 0;
+    for (std::size_t f = 0; f < body.faces.size(); ++f) {
+      const BodySurface& surface = body.surfaceOf(static_cast<int>(f));
+      if (surface.isPlane()) continue;
+      ASSERT_NE(surface.kind, BodySurface::Kind::Other);
+      const Eigen::AlignedBox2d range = body.parameterRange(static_cast<int>(f));
+      const BRepAdaptor_Surface kernel(body.faces[f].shape);
+      for (const double part : {0.1, 0.5, 0.9}) {
+        const Eigen::Vector2d on = range.min() + part * range.sizes();
+        gp_Pnt p;
+        gp_Vec alongU, alongV;
+        kernel.D1(on.x(), on.y(), p, alongU, alongV);
+        const Eigen::Vector3d at(p.X(), p.Y(), p.Z());
+        gp_Vec normal = alongU.Crossed(alongV).Normalized();
+        if (body.faces[f].shape.Orientation() == TopAbs_REVERSED) normal.Reverse();
+        const Eigen::Vector3d away(normal.X(), normal.Y(), normal.Z());
+        EXPECT_NEAR((surface.normalAt(at) - away).norm(), 0, 1e-12);
+        EXPECT_NEAR((surface.parametersOf(at, range.center()) - on).norm(), 0, 1e-12);
+        EXPECT_NEAR(surface.distanceTo(at), 0, 1e-12);
+        EXPECT_NEAR(surface.outward * surface.distanceTo(at + 0.1 * away), 0.1, 1e-12);
+        ++count;
+      }
+    }
+    EXPECT_GE(count, 3);
+  }
+}
+
+TEST(ContactCurves, AreOnTheSurfaceAndOrthogonalToTheVelocity) {
+  const StepPath path(poseAt({0, 0, 0}, 0, Eigen::Vector3d::UnitZ()),
+                      poseAt({5, 11, 7}, 0.5, Eigen::Vector3d(1, -2, 1).normalized()),
+                      Interpolation::Linear);
+  for (const TopoDS_Shape& shape : roundBodies()) {
+    const BodyGeometry body(shape);
+    int found = 0;
+    for (std::size_t i = 0; i < body.surfaces.size(); ++i) {
+      const BodySurface& surface = body.surfaces[i];
+      if (surface.isPlane()) continue;
+      const ContactCurves curves(body, static_cast<int>(i), path);
+      ASSERT_EQ(curves.count(), 2);
+      for (const int curve : {0, 1}) {
+        for (const double part : {0.1, 0.3, 0.8}) {
+          for (const double s : {0.0, 0.4, 1.0}) {
+            const double w = curves.extent().at(part);
+            const Eigen::Vector3d p = curves.at(curve, w, s);
+            if (!p.allFinite()) continue;
+            const Moment moment(path, s);
+            EXPECT_NEAR(surface.distanceTo(p), 0, 1e-9);
+            EXPECT_NEAR(surface.normalAt(p).dot(moment.velocityAt(p)), 0, 1e-9);
+            EXPECT_NEAR(curves.positionAt(curve, p), w, 1e-9);
+            EXPECT_EQ(curves.curveOf(p, s), curve);
+            ++found;
+          }
+        }
+      }
+    }
+    EXPECT_GE(found, 9);
+  }
+}
+
+// A box that moves along x and a little up: its right side and its top move outward.
+TEST(EnvelopeConditions, FacesAndEdgesMoveOutwardOrInward) {
+  Trajectory motion;
+  motion.poses = {poseAt({0, 0, 0}, 0, Eigen::Vector3d::UnitZ()),
+                  poseAt({20, 0, 3}, 0.1, Eigen::Vector3d::UnitY())};
+  const auto moving =
+      std::make_shared<const MovingBody>(BRepPrimAPI_MakeBox(12, 9, 5).Shape(), motion);
+  const EnvelopeConditions conditions(moving, 0);
+  const auto& body = moving->body;
+  const auto signOf = [&](int f) {  // 0: the face slides
+    const double across = body.normalAt(body.edges[body.faces[f].edges.front()], f, 0)
+                              .dot(Eigen::Vector3d(1, 0, 0.1));
+    return std::abs(across) < 0.05 ? 0 : across > 0 ? 1 : -1;
+  };
+  const PosedBody start(body.shape, motion.poses[0]);
+  int faces = 0, edges = 0;
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    if (signOf(static_cast<int>(f)) == 0) continue;
+    const TopoDS_Face posed = start.of(body.faces[f]);
+    const Eigen::Vector2d middle = body.parameterRange(static_cast<int>(f)).center();
+    EXPECT_LT(conditions.ofCap(posed, 0)(middle) * signOf(static_cast<int>(f)), 0);
+    ++faces;
+  }
+  for (std::size_t e = 0; e < body.edges.size(); ++e) {
+    const BodyEdge& edge = body.edges[e];
+    const int sign = signOf(edge.faces[0]) * signOf(edge.faces[1]);
+    if (sign == 0) continue;
+    EXPECT_LT(conditions.ofSheet(e)({edge.range.at(0.5), 0}) * sign, 0);
+    ++edges;
+  }
+  EXPECT_EQ(faces, 4);
+  EXPECT_EQ(edges, 4);
+}
+
+// The wall of a rod that moves across its axis touches the envelope at its sides. A point of
+// contact beyond the end of the rod is none.
+TEST(EnvelopeConditions, ContactLiesWithinAFace) {
+  Trajectory motion;
+  motion.poses = {poseAt({0, 0, 0}, 0, Eigen::Vector3d::UnitZ()),
+                  poseAt({8, 20, 0}, 0.2, Eigen::Vector3d::UnitX())};
+  const auto moving =
+      std::make_shared<const MovingBody>(BRepPrimAPI_MakeCylinder(2, 5).Shape(), motion);
+  const EnvelopeConditions conditions(moving, 0);
+  for (std::size_t i = 0; i < moving->body.surfaces.size(); ++i) {
+    if (!moving->body.surfaces[i].isCylinder()) continue;
+    const std::vector<Condition> both = conditions.ofGraze(static_cast<int>(i), 0);
+    ASSERT_EQ(both.size(), 2u);
+    const double time = moving->motions[0].length() / 2;
+    EXPECT_GT(both[0]({2.5, time}), 0);
+    EXPECT_LT(both[0]({5.5, time}), 0);
+    EXPECT_GT(both[1]({2.5, time}), 0);
+  }
 }
 
 TEST(Zeros, AreFoundInOrder) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solid/assemble/elementary_body.h"
+#include "solid/assemble/body_geometry.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
@@ -186,7 +186,7 @@ bool isElementary(const TopoDS_Shape& body) {
   return true;
 }
 
-ElementaryBody::ElementaryBody(const TopoDS_Shape& body) : shape(withoutClosedParts(body)) {
+BodyGeometry::BodyGeometry(const TopoDS_Shape& body) : shape(withoutClosedParts(body)) {
   TopTools_IndexedMapOfShape faceMap;
   TopTools_IndexedDataMapOfShapeListOfShape edgeMap;
   TopExp::MapShapes(shape, TopAbs_FACE, faceMap);
@@ -224,11 +224,11 @@ ElementaryBody::ElementaryBody(const TopoDS_Shape& body) : shape(withoutClosedPa
   }
 }
 
-Vector3d ElementaryBody::point(int vertex) const {
+Vector3d BodyGeometry::point(int vertex) const {
   return vectorOf(BRep_Tool::Pnt(TopoDS::Vertex(vertices(vertex + 1))).XYZ());
 }
 
-Vector3d ElementaryBody::normalAt(const BodyEdge& edge, int f, double u) const {
+Vector3d BodyGeometry::normalAt(const BodyEdge& edge, int f, double u) const {
   const BodySurface& surface = surfaceOf(f);
   if (surface.kind != BodySurface::Kind::Other) return surface.normalAt(edge.at(u));
   const Handle(Geom2d_Curve)& on = edge.onFaces[f == edge.faces[0] ? 0 : 1];
@@ -241,7 +241,7 @@ Vector3d ElementaryBody::normalAt(const BodyEdge& edge, int f, double u) const {
   return surface.outward * normal.normalized();
 }
 
-Vector3d ElementaryBody::intoFace(const BodyEdge& edge, int f, double u) const {
+Vector3d BodyGeometry::intoFace(const BodyEdge& edge, int f, double u) const {
   for (TopExp_Explorer it(faces[f].shape, TopAbs_EDGE); it.More(); it.Next()) {
     if (!it.Current().IsSame(edge.shape)) continue;
     const double sign = it.Current().Orientation() == TopAbs_REVERSED ? -1 : 1;
@@ -250,24 +250,24 @@ Vector3d ElementaryBody::intoFace(const BodyEdge& edge, int f, double u) const {
   return Vector3d::Zero();
 }
 
-double ElementaryBody::convexity(const BodyEdge& edge) const {
+double BodyGeometry::convexity(const BodyEdge& edge) const {
   const double middle = edge.range.at(0.5);
   const Vector3d normal = normalAt(edge, edge.faces[0], middle);
   return -intoFace(edge, edge.faces[1], middle).dot(normal);
 }
 
-Range ElementaryBody::anglesOf(int f) const {
+Range BodyGeometry::anglesOf(int f) const {
   const Eigen::AlignedBox2d range = parameterRange(f);
   return {range.min().x(), range.max().x()};
 }
 
-Eigen::AlignedBox2d ElementaryBody::parameterRange(int f) const {
+Eigen::AlignedBox2d BodyGeometry::parameterRange(int f) const {
   Vector2d low, high;
   BRepTools::UVBounds(faces[f].shape, low.x(), high.x(), low.y(), high.y());
   return {low, high};
 }
 
-bool ElementaryBody::isCorner(int vertex, int f) const {
+bool BodyGeometry::isCorner(int vertex, int f) const {
   constexpr double kStraight = 1e-6;
   // Of the edges of the face at the vertex: the directions away from it, and into the face.
   std::vector<std::pair<Vector3d, Vector3d>> sides;
@@ -286,7 +286,7 @@ bool ElementaryBody::isCorner(int vertex, int f) const {
   return false;
 }
 
-bool ElementaryBody::isConvex(const BodyEdge& edge) const {
+bool BodyGeometry::isConvex(const BodyEdge& edge) const {
   constexpr double kFlat = 1e-6;
   return convexity(edge) > kFlat;
 }

@@ -84,8 +84,8 @@ struct BodyFace {
 bool isElementary(const TopoDS_Shape& body);
 
 /// The parts of a body. Closed faces are cut in two. Faces may share a surface.
-struct ElementaryBody {
-  explicit ElementaryBody(const TopoDS_Shape& body);
+struct BodyGeometry {
+  explicit BodyGeometry(const TopoDS_Shape& body);
 
   Eigen::Vector3d point(int vertex) const;
   const BodySurface& surfaceOf(int face) const { return faces[face].own; }
