@@ -17,6 +17,7 @@
 #include "solid/assemble/exact_sections.h"
 #include "solid/assemble/facet_filling.h"
 #include "solid/assemble/shape_triangles.h"
+#include "solid/assemble/shorten_curves.h"
 #include "solid/assemble/sides.h"
 #include "solid/assemble/sweep_deviation.h"
 #include "solid/assemble/swept_faces.h"
@@ -180,6 +181,7 @@ class KernelJudge : public Judge {
   Assembly writeAndRead(const TopoDS_Shape& shape, const SolidOptions& options, const Sides& sides,
                         TriMesh& triangles, RunContext& run) {
     brep_.shape = shape;
+    shortenCurves(brep_.shape);
     std::stringstream text;
     writeStepFile(brep_.shape, text, "", options, kernel_, run);
     brep_.readBack = readStepText(text, kernel_, run);
