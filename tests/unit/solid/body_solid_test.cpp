@@ -1,6 +1,5 @@
 // Solids whose faces come from the faces and edges of the body: a body from a STEP file that moves
-// along straight lines or turns about a fixed axis, and bodies with planes and cylinders along any
-// motion.
+// along straight lines, turns about a fixed axis, or moves and turns at the same time.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What an envelope was made from: the part with its CAD faces, and the motion. The core takes the
-faces of a solid from them if the part moves in straight lines or turns about fixed axes, or if its
-faces are planes and cylinders. No GUI."""
+faces of a solid from them. No GUI."""
 import numpy as np
 
 from .. import apart, convert, core

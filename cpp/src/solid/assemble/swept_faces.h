@@ -1,7 +1,7 @@
 // Makes the faces of which the envelope of a moving body may consist: faces of the body at poses,
 // and the surfaces that its edges and contact curves sweep.
 // In:      the body; a trajectory whose steps are straight moves without turning, or turns about a
-//          fixed axis. For a body with planes and cylinders, any trajectory.
+//          fixed axis. For a body that is one solid, any trajectory.
 // Out:     kernel faces in world coordinates. They intersect, and parts of them lie inside the
 //          swept volume; assemble.h finds the parts on its surface.
 // Units:   mm.
@@ -57,7 +57,7 @@ struct SweptFaces {
 };
 
 /// Returns whether the motion and the body are of these kinds, and the body has few enough faces
-/// (faces times steps up to 2,000; up to 120 if it moves and turns at the same time).
+/// (faces times steps up to 2,000; up to 400 if it moves and turns at the same time).
 bool canSweepFaces(const BodyShape& body, const Trajectory& trajectory);
 
 /// `sides`: of the same sweep. Empty if the kernel fails.

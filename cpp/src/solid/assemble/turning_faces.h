@@ -1,7 +1,6 @@
-// Makes the faces of which the envelope of a body with planes and cylinders may consist, and the
-// curves along which they touch, for motion steps in which the body moves and turns at the same
-// time.
-// In:      a body for which isElementary() is true; its poses.
+// Makes the faces of which the envelope of a body may consist, and the curves along which they
+// touch, for motion steps in which the body moves and turns at the same time.
+// In:      a body that is one solid; its poses.
 // Out:     faces in world coordinates: the body at each pose, the surfaces that its convex edges
 //          sweep in each step, and the surfaces in which its faces graze the envelope. They are
 //          larger than necessary: each covers the whole edge or face and the whole step. What
