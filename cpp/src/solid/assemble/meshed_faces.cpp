@@ -209,7 +209,12 @@ bool MeshedFaces::isInFace(int f, const Vector2d& on) const {
 }
 
 bool MeshedFaces::isPossible(int f, const Vector2d& on) const {
+  // Curves of intersection that cannot be on the envelope still show where others end. Only if
+  // there are many faces is it worth while to do without them: it halves the time of a pulley with
+  // 462.
+  constexpr std::size_t kManyFaces = 100;
   constexpr double kSure = 1e-3;
+  if (faces_.size() < kManyFaces) return true;
   const std::vector<Condition>& conditions = given_[f].conditions;
   return std::all_of(conditions.begin(), conditions.end(),
                      [&](const Condition& condition) { return condition(on) >= -kSure; });
