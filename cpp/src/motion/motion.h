@@ -17,6 +17,10 @@ struct Placement {
   double timeSeconds = 0;
 
   Eigen::Vector3d apply(const Eigen::Vector3d& x) const { return rotation * x + translation; }
+  /// Returns where the body sees a point in world coordinates.
+  Eigen::Vector3d applyInverse(const Eigen::Vector3d& x) const {
+    return rotation.transpose() * (x - translation);
+  }
 };
 
 struct Motion {

@@ -45,7 +45,7 @@ class MovingSolid {
       const std::size_t stride = n > 64 ? n / 64 | 1 : 1;
       for (std::size_t start = 0; start < stride; ++start) {
         for (std::size_t k = start; k < n; k += stride) {
-          if (contains(inBody(world, motion_.placements[k]))) return true;
+          if (contains(motion_.placements[k].applyInverse(world))) return true;
         }
       }
       return false;
@@ -57,9 +57,6 @@ class MovingSolid {
   }
 
  private:
-  static Vector3d inBody(const Vector3d& world, const Placement& p) {
-    return p.rotation.transpose() * (world - p.translation);
-  }
   bool isInside(const Vector3d& x) const { return rays_.winding(x) > 0; }
   bool contains(const Vector3d& x) const {
     return isInside(x) || nearest_.query(x, squaredGrazing_, squaredGrazing_) < squaredGrazing_;
@@ -69,7 +66,7 @@ class MovingSolid {
     const double shift = (q.translation - p.translation).norm();
     const double arm = std::max((world - p.translation).norm(), (world - q.translation).norm());
     const double reach = (shift + steps_[k].angle() * arm) * (to - from) / 2 * (1 + 1e-9);
-    const Vector3d x = inBody(world, steps_[k].at((from + to) / 2));
+    const Vector3d x = steps_[k].at((from + to) / 2).applyInverse(world);
     const double limit = std::max(reach, 0.0) + grazing_;
     const double squared = nearest_.query(x, limit * limit, squaredGrazing_);
     if (squared >= limit * limit) return isInside(x);

@@ -49,7 +49,7 @@ class CoveringSearch {
     const Placement& p = input_.motion.placements[placement];
     const Eigen::Vector3d world =
         input_.grid.origin + input_.grid.cell * Eigen::Vector3d(g[0], g[1], g[2]);
-    return p.rotation.transpose() * (world - p.translation);
+    return p.applyInverse(world);
   }
   bool isInside(const Eigen::Vector3d& x) const { return tests_.rays.winding(x) > 0; }
 

@@ -8,12 +8,9 @@
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Message_ProgressScope.hxx>
 #include <Standard_Failure.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <deque>
@@ -128,19 +125,8 @@ TopoDS_Shape fused(const TopTools_ListOfShape& arguments, const Message_Progress
   return fuser.HasErrors() ? TopoDS_Shape() : fuser.Shape();
 }
 
-// Returns within which distance divideFaces() joins ends in any case.
-double nearestEnds(const std::vector<SweptFace>& faces) {
-  double worst = 0;
-  for (const SweptFace& face : faces) {
-    for (TopExp_Explorer it(face.face, TopAbs_VERTEX); it.More(); it.Next())
-      worst = std::max(worst, 2 * BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
-  }
-  return std::min(worst, kMaxNear);
-}
-
-PossiblePieces dividedAtSections(const SweptFaces& given, double near) {
-  std::vector<TopoDS_Face> faces;
-  for (const SweptFace& face : given.faces) faces.push_back(face.face);
+PossiblePieces dividedAtSections(const SweptFaces& given, const std::vector<TopoDS_Face>& faces,
+                                 double near) {
   try {
     return possiblePieces(divideFaces(faces, *given.sections, near), given.faces);
   } catch (const Standard_Failure&) {
@@ -164,11 +150,14 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
       if (!pieces.openEdges().empty()) return {};
       return {solidOf(pieces.chosen(), volume, accuracy), pieces.areCertain(), pieces.filled()};
     };
-    const double least = nearestEnds(faces.faces);
-    for (const double near :
-         std::set<double>{std::max(faces.near, least), std::max(kLargerNear, least), kMaxNear}) {
+    std::vector<TopoDS_Face> kernelFaces;
+    for (const SweptFace& face : faces.faces) kernelFaces.push_back(face.face);
+    std::set<double> distances;
+    for (const double near : {faces.near, kLargerNear, kMaxNear})
+      distances.insert(joiningDistance(kernelFaces, near));
+    for (const double near : distances) {
       if (scope.UserBreak()) return {};
-      const PossiblePieces divided = dividedAtSections(faces, near);
+      const PossiblePieces divided = dividedAtSections(faces, kernelFaces, near);
       if (divided.shape.IsNull()) continue;
       const AssembledSweep sweep =
           sweepOf(attempts.emplace_back(divided.shape, sides, divided.unlikely));

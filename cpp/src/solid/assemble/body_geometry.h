@@ -28,7 +28,7 @@ struct BodyEdge {
   int from = 0, to = 0;  ///< vertices
   Handle(Geom_Curve) curve;
   Range range;  ///< of the parameter: mm on a line, rad on a circle
-  /// By face: the edge in the parameters of the surface. Null on planes and cylinders.
+  /// By face: the edge in the parameters of its surface, for surfaces without a formula.
   std::array<Handle(Geom2d_Curve), 2> onFaces;
   bool isStraight = true;
   double scale = 1;  ///< mm per unit of the parameter
@@ -66,8 +66,7 @@ struct BodySurface {
   Eigen::Vector2d parametersOf(const Eigen::Vector3d& p, const Eigen::Vector2d& near) const;
   /// Returns the foot of the perpendicular from the origin onto the plane or the axis.
   Eigen::Vector3d footOfOrigin() const;
-  /// Returns whether both are one surface up to `distance` (mm), on whichever side the
-  /// body is.
+  /// Returns whether both are one surface up to `distance` (mm), on whichever side the body is.
   bool isAtPlaceOf(const BodySurface& other, double distance) const;
   /// Returns whether, in addition, the body is on the same side.
   bool isSame(const BodySurface& other) const;
@@ -101,7 +100,6 @@ struct BodyGeometry {
   Range anglesOf(int f) const;
   /// Returns the range of the kernel's parameters of a face.
   Eigen::AlignedBox2d parameterRange(int f) const;
-  Eigen::Vector2d middleOf(int f) const { return parameterRange(f).center(); }
   /// Returns whether a plane face has an angle of less than 180 degrees at a vertex.
   bool isCorner(int vertex, int f) const;
   /// Other edges sweep no surface of the envelope.

@@ -1,5 +1,5 @@
-// A body during one step of its motion: how its points move, and where
-// its edges touch the envelope.
+// A body during one step of its motion: how its points move, and where its edges touch the
+// envelope.
 // Units:   mm; s is the fraction of the step. Times are s times the length of the step, in mm, so
 //          that surfaces have parameters of similar size.
 // Cost:    O(edges) for a question about the whole body.

@@ -9,7 +9,8 @@
 //          the axis, and n = c r + e a. Then n.v = r.m + e a.linear, where m = c linear + (d e -
 //          h c) (a x angular). On a circle of a cylinder or a cone, m, c and e are the same
 //          everywhere, so r has a known angle to m. On a torus, d e - h c = e R, where R is the
-//          radius from the axis to the tube. So at each angle around the axis, c / e is known.
+//          radius from the axis to the tube. So at each angle around the axis, c / e is
+//          known. Here linear is the velocity of the point of the axis at which h is 0.
 // Source:  Abdel-Malek, Blackmore and Joy 2006.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

@@ -1,5 +1,5 @@
-// The contact curves within a face of the body at a pose, for surfaces whose contact curves have no
-// formula.
+// The contact curves within a face of the body at a pose, traced on its parameters. They are needed
+// where there is no grazing surface.
 // In:      a kernel face; the velocity of each point; the points of its border at which the
 //          velocity is tangent to the face.
 // Out:     kernel edges with curves in the parameters of the face. They end at the given points.
@@ -17,6 +17,7 @@
 
 namespace swept::step {
 
+/// Curves that the kernel cannot project onto the face are left out.
 std::vector<TopoDS_Edge> contactsWithin(const TopoDS_Face& face, const Velocity& velocity,
                                         const std::vector<gp_Pnt>& atBorder);
 

@@ -32,7 +32,8 @@ namespace {
 
 class Divider {
  public:
-  Divider(const std::vector<TopoDS_Face>& faces, double near) : faces_(faces), least_(near) {
+  Divider(const std::vector<TopoDS_Face>& faces, double near)
+      : faces_(faces), least_(joiningDistance(faces, near)) {
     TopTools_IndexedMapOfShape found;
     for (const TopoDS_Face& face : faces) {
       TopExp::MapShapes(face, TopAbs_EDGE, edges_);
@@ -41,7 +42,6 @@ class Divider {
     for (int i = 1; i <= found.Extent(); ++i) {
       vertices_.push_back(TopoDS::Vertex(found(i)));
       near_.push_back(2 * BRep_Tool::Tolerance(vertices_.back()));
-      least_ = std::clamp(near_.back(), least_, kMaxNear);
     }
     inner_.resize(faces.size());
   }
@@ -259,6 +259,14 @@ class Divider {
 };
 
 }  // namespace
+
+double joiningDistance(const std::vector<TopoDS_Face>& faces, double near) {
+  for (const TopoDS_Face& face : faces) {
+    for (TopExp_Explorer it(face, TopAbs_VERTEX); it.More(); it.Next())
+      near = std::clamp(2 * BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())), near, kMaxNear);
+  }
+  return near;
+}
 
 TopoDS_Shape divideFaces(const std::vector<TopoDS_Face>& faces,
                          const std::vector<SweptSection>& sections, double near) {

@@ -28,6 +28,10 @@ struct SweptSection {
 /// distance within which they are one follows the worst vertex of the body, up to this value.
 constexpr double kMaxNear = 5e-4;
 
+/// Returns the distance (mm) within which divideFaces() joins ends: `near`, or more if the faces
+/// are less exact.
+double joiningDistance(const std::vector<TopoDS_Face>& faces, double near);
+
 /// Returns a compound of the pieces; the given faces stay as they are. A face that the kernel
 /// cannot divide stays in one piece. `near`: mm, the end of a section is moved to a vertex or an
 /// edge that is nearer than this, or nearer than twice the tolerance of the vertex or edge. May

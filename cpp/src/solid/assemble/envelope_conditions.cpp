@@ -32,11 +32,9 @@ Condition EnvelopeConditions::ofCap(const TopoDS_Face& posed, int time) const {
     gp_Pnt p;
     gp_Vec alongU, alongV;
     surface.D1(on.x(), on.y(), p, alongU, alongV);
-    const Placement& placement = moment.placement;
-    const Vector3d seen =
-        placement.rotation.transpose() * (vectorOf(p.XYZ()) - placement.translation);
+    const Vector3d seen = moment.placement.applyInverse(vectorOf(p.XYZ()));
     const Vector3d normal = vectorOf(alongU.Crossed(alongV).XYZ()),
-                   velocity = placement.rotation * moment.velocityAt(seen);
+                   velocity = moment.placement.rotation * moment.velocityAt(seen);
     const double sizes = normal.norm() * velocity.norm();
     return sizes > 0 ? sign * normal.dot(velocity) / sizes : 0;
   };
@@ -55,21 +53,27 @@ Condition EnvelopeConditions::ofSheet(std::size_t edge) const {
 std::vector<Condition> EnvelopeConditions::ofGraze(int surface, int curve) const {
   const BodyGeometry& body = moving_->body;
   const ContactCurves curves(body, surface, path());
-  std::vector<std::pair<int, std::shared_ptr<BRepTopAdaptor_FClass2d>>> faces;
+  struct Border {
+    int face;
+    Vector2d middle;  // of the parameters of the face
+    std::shared_ptr<BRepTopAdaptor_FClass2d> border;
+  };
+  std::vector<Border> faces;
   for (std::size_t f = 0; f < body.faces.size(); ++f) {
     if (body.faces[f].surface != surface) continue;
     // A contact curve may run along a border between two faces.
     constexpr double kOnBorder = 1e-6;
-    faces.emplace_back(f,
-                       std::make_shared<BRepTopAdaptor_FClass2d>(body.faces[f].shape, kOnBorder));
+    const int face = static_cast<int>(f);
+    faces.push_back({face, body.parameterRange(face).center(),
+                     std::make_shared<BRepTopAdaptor_FClass2d>(body.faces[f].shape, kOnBorder)});
   }
   const double length = moving_->motions[step_].length();
   const auto isInFace = [moving = moving_, curves, faces, curve, length](const Vector2d& on) {
     const Vector3d p = curves.at(curve, on.x(), on.y() / length);
     if (!p.allFinite()) return -1.0;
-    for (const auto& [f, border] : faces) {
-      const Vector2d q = moving->body.surfaceOf(f).parametersOf(p, moving->body.middleOf(f));
-      if (border->Perform(gp_Pnt2d(q.x(), q.y())) != TopAbs_OUT) return 1.0;
+    for (const Border& of : faces) {
+      const Vector2d q = moving->body.surfaceOf(of.face).parametersOf(p, of.middle);
+      if (of.border->Perform(gp_Pnt2d(q.x(), q.y())) != TopAbs_OUT) return 1.0;
     }
     return -1.0;
   };
@@ -83,11 +87,8 @@ std::vector<Condition> EnvelopeConditions::ofGraze(int surface, int curve) const
     const Vector3d p = along.at(s).apply(curves.at(curve, on.x(), s));
     if (!p.allFinite()) return -1.0;
     double distance = 0;
-    for (const double other : {s - kStep, s + kStep}) {
-      const Placement placement = along.at(other);
-      distance +=
-          of.outward * of.distanceTo(placement.rotation.transpose() * (p - placement.translation));
-    }
+    for (const double other : {s - kStep, s + kStep})
+      distance += of.outward * of.distanceTo(along.at(other).applyInverse(p));
     return distance / (kStep * kStep * length) + kTouching;
   };
   return {isInFace, isOutside};

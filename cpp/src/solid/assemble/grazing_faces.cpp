@@ -145,14 +145,9 @@ void TurningStep::appendContactCurves(const Graze& graze, int time) {
 void TurningStep::appendContactCurves(const Graze& graze, int time, int f) {
   const ContactCurves& curves = curves_[graze.surface];
   std::vector<double> crossings;
-  for (const int e : body_.faces[f].edges) {
-    const BodyEdge& edge = body_.edges[e];
-    const OfTwo speed = motion_.speedOn(edge, f);
-    for (const double u : zerosOf([&](double x) { return speed({x, time}); }, edge.range)) {
-      const Vector3d p = edge.at(u);
-      if (curves.curveOf(p, time) == graze.curve)
-        crossings.push_back(curves.positionAt(graze.curve, p));
-    }
+  for (const Vector3d& p : contactsOnBorder(f, time)) {
+    if (curves.curveOf(p, time) == graze.curve)
+      crossings.push_back(curves.positionAt(graze.curve, p));
   }
   std::sort(crossings.begin(), crossings.end());
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
@@ -189,7 +184,7 @@ void TurningStep::appendContactCurve(const Graze& graze, int time, int f, Range 
       return;
   }
   if (!surface.isPlane()) {
-    const Vector2d near = body_.middleOf(f);
+    const Vector2d near = body_.parameterRange(f).center();
     const auto onCap = [&](double x) {
       return cap < static_cast<int>(fixed_.count())
                  ? fixed_.parametersOf(cap, exact(x))

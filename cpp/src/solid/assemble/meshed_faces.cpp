@@ -214,10 +214,7 @@ bool MeshedFaces::isPossible(int f, const Vector2d& on) const {
   // 462.
   constexpr std::size_t kManyFaces = 100;
   constexpr double kSure = 1e-3;
-  if (faces_.size() < kManyFaces) return true;
-  const std::vector<Condition>& conditions = given_[f].conditions;
-  return std::all_of(conditions.begin(), conditions.end(),
-                     [&](const Condition& condition) { return condition(on) >= -kSure; });
+  return faces_.size() < kManyFaces || given_[f].isPossible(on, kSure);
 }
 
 bool MeshedFaces::isInRange(int f, const Vector2d& on) const {

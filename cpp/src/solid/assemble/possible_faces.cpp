@@ -36,10 +36,8 @@ bool isPossible(const SweptFace& face) {
       points.emplace_back(p.X(), p.Y());
     }
   }
-  return std::any_of(points.begin(), points.end(), [&](const Vector2d& p) {
-    return std::all_of(face.conditions.begin(), face.conditions.end(),
-                       [&](const Condition& condition) { return condition(p) >= 0; });
-  });
+  return std::any_of(points.begin(), points.end(),
+                     [&](const Vector2d& p) { return face.isPossible(p, 0); });
 }
 
 // Returns by how much a piece fails to meet its worst condition. Each condition has one sign on the

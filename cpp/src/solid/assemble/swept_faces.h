@@ -18,6 +18,7 @@
 #include <Eigen/Core>
 #include <Message_ProgressRange.hxx>
 #include <TopoDS_Face.hxx>
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -42,6 +43,12 @@ struct SweptFace {
   std::vector<TopoDS_Edge> inner = {};
   /// The face is divided where the sign of one of these changes.
   std::vector<Condition> conditions = {};
+
+  /// Returns whether a point fails to meet no condition by more than `slack`.
+  bool isPossible(const Eigen::Vector2d& on, double slack) const {
+    return std::all_of(conditions.begin(), conditions.end(),
+                       [&](const Condition& condition) { return condition(on) >= -slack; });
+  }
 };
 
 struct SweptFaces {

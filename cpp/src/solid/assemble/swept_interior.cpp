@@ -88,8 +88,7 @@ bool SweptInterior::isInsideBody(const Vector3d& point) const {
 
 bool SweptInterior::contains(const Vector3d& point) const {
   const auto seen = [&](std::size_t step, double s) -> Vector3d {
-    const Placement placement = steps_[step].at(s);
-    return placement.rotation.transpose() * (point - placement.translation) + pivot_;
+    return steps_[step].at(s).applyInverse(point) + pivot_;
   };
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     Vector3d from = seen(k, 0);

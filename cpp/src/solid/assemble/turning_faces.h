@@ -34,9 +34,9 @@ struct TurningFaces {
   std::vector<gp_Pnt> crossings;    ///< of dividers and folds
 };
 
-/// `body`: in coordinates whose origin is the pivot. `trajectory`: the
-/// result of carriedByPivot(). Returns nothing if a vertex is at rest, or if a cylinder turns
-/// about its axis. Leaves out what has no regular surface.
+/// `body`: in coordinates whose origin is the pivot. `trajectory`: the result of carriedByPivot().
+/// Returns nothing if a vertex is at rest, or if a round face turns about its axis. Leaves out what
+/// has no regular surface.
 std::optional<TurningFaces> turningFaces(const TopoDS_Shape& body, const Trajectory& trajectory);
 
 }  // namespace swept::step

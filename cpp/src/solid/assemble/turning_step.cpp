@@ -81,20 +81,26 @@ const TurningStep::Graze* TurningStep::grazeAt(int surface, const Vector3d& p, i
   return found == grazes_.end() ? nullptr : &*found;
 }
 
-void TurningStep::appendContactsOfCap(int f, int time) {
-  const int surface = body_.faces[f].surface;
-  if (body_.surfaces[surface].isPlane() || motion_.slides(f)) return;
-  std::vector<gp_Pnt> atBorder;
+std::vector<Vector3d> TurningStep::contactsOnBorder(int f, int time) const {
+  std::vector<Vector3d> contacts;
   for (const int e : body_.faces[f].edges) {
     const BodyEdge& edge = body_.edges[e];
     const OfTwo speed = motion_.speedOn(edge, f);
     for (const double u : zerosOf([&](double x) { return speed({x, time}); }, edge.range))
-      atBorder.push_back(pointOf(motion_.at(edge.at(u), time)));
+      contacts.push_back(edge.at(u));
   }
+  return contacts;
+}
+
+void TurningStep::appendContactsOfCap(int f, int time) {
+  const int surface = body_.faces[f].surface;
+  if (body_.surfaces[surface].isPlane() || motion_.slides(f)) return;
+  std::vector<gp_Pnt> atBorder;
+  for (const Vector3d& p : contactsOnBorder(f, time))
+    atBorder.push_back(pointOf(motion_.at(p, time)));
   const Moment moment(path_, time);
-  const auto seen = [&](const gp_Pnt& p) -> Vector3d {
-    const Placement& placement = moment.placement;
-    return placement.rotation.transpose() * (vectorOf(p.XYZ()) - placement.translation);
+  const auto seen = [&](const gp_Pnt& p) {
+    return moment.placement.applyInverse(vectorOf(p.XYZ()));
   };
   const Velocity velocity = [&](const gp_Pnt& p) {
     return vecOf(moment.placement.rotation * moment.velocityAt(seen(p)));

@@ -115,6 +115,9 @@ class TurningStep {
   const Graze* grazeOf(const Contact& contact) const;
   // Appends the curve in which what an edge sweeps continues into a grazing surface.
   void appendContact(const Contact& contact);
+  // Returns the points of the border of a face at which it touches the envelope at the start (0) or
+  // the end (1) of the step, in coordinates of the body.
+  std::vector<Eigen::Vector3d> contactsOnBorder(int f, int time) const;
   // Appends the parts of a contact curve at the start (0) or the end (1) of the step that lie
   // inside of faces.
   void appendContactCurves(const Graze& graze, int time);

@@ -192,8 +192,7 @@ OnRails locate(const Rails& rails, const std::vector<Contact>& contacts, const S
   on.crossing = 1;
   for (const Contact& c : contacts) {
     const Moment moment(path, c.s);
-    const Vector3d x =
-        moment.placement.rotation.transpose() * (c.point - moment.placement.translation);
+    const Vector3d x = moment.placement.applyInverse(c.point);
     const Vector2d at = rails.parametersOf(x);
     on.w.push_back(at.x());
     on.v.push_back(at.y());
