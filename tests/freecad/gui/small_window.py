@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every panel in a window of 1024 x 700 pixels with the docks of a fresh profile: nothing is cut off at the
-sides. Also: messages about unusual input, the speed of the player in real time, and what remains after an
-editor is closed.
+"""Every panel in a window of 1024 x 700 pixels, opened in a narrow dock: the dock becomes as wide as the panel
+needs, and nothing is cut off at the sides. Also: messages about unusual input, the speed of the player in real
+time, and what remains after an editor is closed.
 """
 import os
 import sys
@@ -54,6 +54,14 @@ def cut_off(form):
     return found
 
 
+def narrow_dock():
+    """Makes the dock with the tree and the panels narrower than most panels."""
+    window = Gui.getMainWindow()
+    for dock in window.findChildren(QtWidgets.QDockWidget, "Combo View"):
+        dock.show()  # FreeCAD 0.20 may hide it until a panel opens in it
+        window.resizeDocks([dock], [240], QtCore.Qt.Horizontal)
+
+
 def panels_fit(doc, folder):
     import Part
 
@@ -95,6 +103,8 @@ def panels_fit(doc, folder):
         ("overlap", lambda: overlap_panel.show(doc, part)),
         ("study", lambda: study_panel.show(doc)),
     ):
+        narrow_dock()
+        yield 0.2
         panel = opened()
         yield 0.8
         shot("70_small_" + name)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Keyboard focus. FreeCAD's 3D view uses Tab itself, so a panel takes the focus when it opens, and
-a command moves the focus to the tree and back."""
+"""Opening a panel: it fits into its dock and has the keyboard focus. FreeCAD's 3D view uses Tab
+itself, so a panel takes the focus when it opens, and a command moves the focus to the tree and
+back."""
 import FreeCADGui as Gui
 from PySide import QtCore
 
@@ -8,9 +9,12 @@ from .widgets import QtWidgets, to_first_field
 
 #: The last result of show(): the form of a task panel, and its event filter.
 _shown = []
-#: Times (ms) at which a new panel takes the focus. In Qt 6, a menu opened by keys returns the focus
-#: to the 3D view after the command has run, so one attempt is not enough.
+#: Times (ms) at which a new panel is fitted and takes the focus. In Qt 6, a menu opened by keys
+#: returns the focus to the 3D view after the command has run, and a dock that was hidden gets its
+#: width late, so one attempt is not enough.
 _WAITS = 0, 50, 200
+#: The border (pixels) at the right of a form.
+BORDER = 14
 #: The tree to which to_tree_or_panel() moved last, and its event filter.
 _tree = []
 
@@ -72,7 +76,8 @@ class SortKeys(QtCore.QObject):
 
 
 def show(panel):
-    """Opens a task panel with the focus in its first field."""
+    """Opens a task panel with the focus in its first field. A dock that is too narrow for the panel
+    is widened, because FreeCAD's task view cannot be scrolled sideways."""
     Gui.Control.showDialog(panel)
     form, keys = panel.form, _form_keys()  # a closed panel has no form
     form.installEventFilter(keys)
@@ -83,11 +88,32 @@ def show(panel):
 
 def _enter(form):
     try:
+        _fit(form)
         holder = QtWidgets.QApplication.focusWidget()
         if holder is None or not form.isAncestorOf(holder):
             to_first_field(form)
     except RuntimeError:
         pass  # the panel was closed at once
+
+
+def _fit(form):
+    """Widens the dock of a form by the width of the form that is outside the visible area."""
+    window = Gui.getMainWindow()
+    docks = _ancestors(form, window, QtWidgets.QDockWidget)
+    areas = _ancestors(form, window, QtWidgets.QScrollArea)
+    if not docks or not areas or docks[-1].isFloating():
+        return
+    dock, area = docks[-1], areas[-1]
+    right = form.mapTo(area, QtCore.QPoint(form.minimumSizeHint().width(), 0)).x()
+    missing = right + BORDER - area.viewport().width()
+    if missing > 0:
+        window.resizeDocks([dock], [dock.width() + missing], QtCore.Qt.Horizontal)
+
+
+def _ancestors(widget, window, kind):
+    """Returns the ancestors of a widget that are of a class. (In PySide 2, asking a widget for its
+    parent can delete the wrappers of other widgets.)"""
+    return [found for found in window.findChildren(kind) if found.isAncestorOf(widget)]
 
 
 def to_tree_or_panel():
@@ -115,17 +141,15 @@ def to_tree_or_panel():
 
 def _bring_up(widget):
     """Makes a widget visible that is behind another tab or in a closed dock."""
+    window = Gui.getMainWindow()
     try:
-        inner, outer = widget, widget.parentWidget()
-        while outer is not None:
-            if isinstance(outer, QtWidgets.QStackedWidget):
-                outer.setCurrentWidget(inner)
-                tabs = outer.parentWidget()
-                if isinstance(tabs, QtWidgets.QTabWidget):
-                    tabs.setCurrentWidget(inner)
-            elif isinstance(outer, QtWidgets.QDockWidget):
-                outer.show()
-                outer.raise_()
-            inner, outer = outer, outer.parentWidget()
+        for kind in (QtWidgets.QStackedWidget, QtWidgets.QTabWidget):
+            for holder in _ancestors(widget, window, kind):
+                pages = [holder.widget(i) for i in range(holder.count())]
+                shown = [i for i, p in enumerate(pages) if p == widget or p.isAncestorOf(widget)]
+                holder.setCurrentIndex(shown[0])
+        for dock in _ancestors(widget, window, QtWidgets.QDockWidget):
+            dock.show()
+            dock.raise_()
     except RuntimeError:
         pass  # the panel was closed
