@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every panel in a window of 1024 x 700 pixels, opened in a narrow dock: the dock becomes as wide as the panel
-needs, and nothing is cut off at the sides. Also: messages about unusual input, the speed of the player in real
-time, and what remains after an editor is closed.
+"""Every panel in a window of 1024 x 700 pixels, opened in a narrow dock: the dock becomes as wide as the
+panel needs, and nothing is cut off at the sides. Also: messages about unusual input, the speed of the player
+in real time, and what remains after an editor is closed.
 """
 import os
 import sys
