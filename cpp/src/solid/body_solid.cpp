@@ -7,23 +7,42 @@
 
 namespace swept::step {
 
-std::optional<Built> makeFromBody(const HalfEdgeMesh& mesh, const SolidOptions& options,
-                                  const std::function<bool(std::int64_t)>& fits, Judge& judge,
-                                  RunContext& run) {
+namespace {
+
+// Calls assemble(), and returns its solid if it passes the checks.
+template <class Assemble>
+std::optional<Built> checked(const HalfEdgeMesh& mesh, const SolidOptions& options, Judge& judge,
+                             RunContext& run, const Assemble& assemble) {
   std::optional<Assembly> assembly;
   try {
-    judge.guard([&] { assembly = judge.assemble(options, mesh, run); }, run);
+    judge.guard([&] { assembly = assemble(); }, run);
   } catch (const Error& error) {
     if (error.status() != Status::ExportFailed) throw;
   }
   run.checkpoint(Phase::Export);
-  if (!assembly || !fits(assembly->check.faces)) return std::nullopt;
-  if (!rereadComplaint(assembly->check, mesh, options).empty()) return std::nullopt;
+  if (!assembly || !rereadComplaint(assembly->check, mesh, options).empty()) return std::nullopt;
   if (assembly->deviation > options.tolerance) return std::nullopt;
   Built built;
   built.facesByKind = std::move(assembly->facesByKind);
   built.deviation = assembly->deviation;
   return built;
+}
+
+}  // namespace
+
+std::optional<Built> makeFromBody(const HalfEdgeMesh& mesh, const SolidOptions& options,
+                                  const std::function<bool(std::int64_t)>& fits, Judge& judge,
+                                  RunContext& run) {
+  auto built =
+      checked(mesh, options, judge, run, [&] { return judge.assemble(options, mesh, run); });
+  if (built && !fits(built->faceCount())) return std::nullopt;
+  return built;
+}
+
+std::optional<Built> fillFromBody(const HalfEdgeMesh& mesh, const SolidOptions& options,
+                                  std::int64_t mostFaces, Judge& judge, RunContext& run) {
+  return checked(mesh, options, judge, run,
+                 [&] { return judge.fill(options, mostFaces, mesh, run); });
 }
 
 }  // namespace swept::step

@@ -22,4 +22,10 @@ std::optional<Built> makeFromBody(const HalfEdgeMesh& mesh, const SolidOptions& 
                                   const std::function<bool(std::int64_t)>& fits, Judge& judge,
                                   RunContext& run);
 
+/// After makeFromBody() has returned nothing: fills the holes between those faces that could be
+/// made with triangles of the mesh. Returns nothing if there is no such solid with at most so many
+/// faces.
+std::optional<Built> fillFromBody(const HalfEdgeMesh& mesh, const SolidOptions& options,
+                                  std::int64_t mostFaces, Judge& judge, RunContext& run);
+
 }  // namespace swept::step

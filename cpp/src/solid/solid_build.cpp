@@ -99,7 +99,8 @@ Built buildUpright(const HalfEdgeMesh& mesh, SolidOptions& options, SolidFormat 
   const HalfEdgeMesh* dense = &mesh;
   if (!given) options.tolerance = kFirst * diagonal;
   // Once only: faces that do not form a solid do not do so with another tolerance.
-  if (options.origin != nullptr && options.recognise) {
+  const bool hasBody = options.origin != nullptr && options.recognise;
+  if (hasBody) {
     if (auto built = makeFromBody(mesh, options, fits, judge, run)) return std::move(*built);
   }
   for (;; options.tolerance *= 2) {
@@ -108,10 +109,18 @@ Built buildUpright(const HalfEdgeMesh& mesh, SolidOptions& options, SolidFormat 
       thin = thinned(*dense, kThinFraction * options.tolerance, run);
       dense = &thin;
     }
-    if (auto built = makeShape(mesh, *dense, options, fits, judge, faces, run))
-      return std::move(*built);
-    if (given || 2 * options.tolerance > kMax * diagonal)
-      refuseTooMany(faces, mesh, options, format);
+    auto built = makeShape(mesh, *dense, options, fits, judge, faces, run);
+    const bool isLast = given || 2 * options.tolerance > kMax * diagonal;
+    if (!built && !isLast) continue;
+    if (hasBody) {
+      // Of the two solids with facets, the one with fewer faces is better.
+      const std::int64_t most = built ? built->faceCount() - 1 : options.maxFaces;
+      auto filled = fillFromBody(mesh, options, most, judge, run);
+      if (filled && fits(filled->faceCount())) return std::move(*filled);
+      if (built) judge.guard([&] { judge.setModel(built->model, run); }, run);
+    }
+    if (built) return std::move(*built);
+    refuseTooMany(faces, mesh, options, format);
   }
 }
 

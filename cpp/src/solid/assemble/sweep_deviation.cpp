@@ -14,7 +14,9 @@ namespace {
 using Eigen::Vector3d;
 
 /// At most this many points are examined, the farthest first. The others count with their distance.
-constexpr std::size_t kMaxExamined = 200000, kExaminedAtOnce = 4096;
+constexpr std::size_t kMaxExamined = 200000;
+/// So many are examined at once, first and later.
+constexpr std::size_t kFirstExamined = 64, kExaminedAtOnce = 4096;
 /// If more of the mesh lies elsewhere, it belongs to another motion.
 constexpr double kMaxFraction = 0.1;
 constexpr std::size_t kBlock = 256;
@@ -83,12 +85,15 @@ double sweepDeviation(const TriMesh& solid, const std::vector<Vector3d>& points,
   const bool isElsewhere = far - feet.begin() > static_cast<std::ptrdiff_t>(fraction);
   const std::size_t most = std::min(feet.size(), isElsewhere ? fraction : kMaxExamined);
   double examinedLargest = 0;
-  std::size_t begin = 0;
+  std::size_t begin = 0, count = kFirstExamined;
   while (begin < most && feet[begin].distance > examinedLargest) {
-    const std::size_t end = std::min(most, begin + kExaminedAtOnce);
+    const std::size_t end = std::min(most, begin + count);
+    count = std::min(2 * count, kExaminedAtOnce);
+    // Smaller distances than the largest one so far do not matter.
+    const double least = std::max(accuracy, examinedLargest);
     parallelBlocks(end - begin, 16, [&](std::size_t from, std::size_t until) {
       for (std::size_t i = begin + from; i < begin + until; ++i)
-        examine(feet[i], points[feet[i].point], sweep, accuracy);
+        examine(feet[i], points[feet[i].point], sweep, least);
     });
     for (; begin < end; ++begin) examinedLargest = std::max(examinedLargest, feet[begin].distance);
   }

@@ -38,8 +38,10 @@ using Eigen::Vector3d;
 /// Number of faces of the body times number of moves. With more, the kernel would take minutes.
 constexpr std::size_t kMaxFaces = 2000;
 /// The same if the body moves and turns at the same time: a pulley of 76 faces takes 45 CPU seconds
-/// for two steps, and the time grows with the square of the number.
-constexpr std::size_t kMaxTurningFaces = 400;
+/// for two steps, and the time grows with the square of the number. A starter motor of 27 faces
+/// along eleven steps took over a minute, and then had so many facets that surfaces recognised in
+/// the mesh were better.
+constexpr std::size_t kMaxTurningFaces = 250;
 /// Shorter moves (mm) and smaller turns (rad) are no motion.
 constexpr double kNoMove = 1e-9, kNoTurn = 1e-10;
 

@@ -4,8 +4,11 @@
 #include <Message_ProgressScope.hxx>
 #include <Standard_ErrorHandler.hxx>
 #include <Standard_Failure.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
 #include <algorithm>
 #include <fstream>
 #include <optional>
@@ -71,6 +74,12 @@ std::string kindOf(const TopoDS_Face& face) {
   }
 }
 
+int faceCount(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  return faces.Extent();
+}
+
 // Counts some faces of a kind as facets.
 void countAsFacets(CarrierKind kind, std::int64_t count, Assembly& assembly) {
   if (count == 0) return;
@@ -105,41 +114,48 @@ class KernelJudge : public Judge {
     const Handle(KernelProgress) progress = new KernelProgress(run, 0.0, 0.3);
     Message_ProgressScope scope(progress->Start(), "", 7);
     brep_ = {};
+    parts_.clear();
     if (!canSweepFaces(*origin.shape, origin.trajectory)) return std::nullopt;
-    const Sides sides(origin.shape->shape, origin.trajectory);
-    const SweptFaces faces = sweptFaces(*origin.shape, origin.trajectory, sides, scope.Next());
+    sides_.emplace(origin.shape->shape, origin.trajectory);
+    const SweptFaces faces = sweptFaces(*origin.shape, origin.trajectory, *sides_, scope.Next());
     run.checkpoint(Phase::Export);
     if (faces.faces.empty()) return std::nullopt;
-    const AssembledSweep assembled =
-        assembleSweep(faces, sides, mesh.volume, mesh.area * options.tolerance, scope.Next(4));
+    AssembledSweep assembled =
+        assembleSweep(faces, *sides_, mesh.volume, mesh.area * options.tolerance, scope.Next(4));
     run.checkpoint(Phase::Export);
+    parts_ = std::move(assembled.parts);
+    if (assembled.shape.IsNull()) return std::nullopt;
+    makeSectionsExact(assembled.shape);
     TriMesh triangles;
-    if (!assembled.shape.IsNull()) {
-      makeSectionsExact(assembled.shape);
-      Assembly assembly = writeAndRead(assembled.shape, options, sides, triangles, run);
-      // The kernel's test takes minutes for faces that are nearly tangent.
-      if (!assembled.isCertain && doesIntersectItself(brep_.readBack, scope.Next(2)))
-        return std::nullopt;
-      assembly.deviation =
-          std::max(assembled.filled, sweepDeviation(triangles, mesh.points, sides.interior(),
-                                                    sides.detail(), options.tolerance));
-      return assembly;
-    }
+    Assembly assembly = writeAndRead(assembled.shape, options, triangles, run);
+    // The kernel's test takes minutes for faces that are nearly tangent.
+    if (!assembled.isCertain && doesIntersectItself(brep_.readBack, scope.Next(2)))
+      return std::nullopt;
+    assembly.deviation =
+        std::max(assembled.filled, sweepDeviation(triangles, mesh.points, sides_->interior(),
+                                                  sides_->detail(), options.tolerance));
+    return assembly;
+  }
+  std::optional<Assembly> fill(const SolidOptions& options, std::int64_t mostFaces,
+                               const HalfEdgeMesh& mesh, RunContext& run) override {
     // Some faces are wrong only after they were read back.
     constexpr int kRounds = 3;
+    if (parts_.empty()) return std::nullopt;
+    brep_ = {};
     std::vector<Eigen::Vector3d> wrong;
     for (int round = 0; round < kRounds; ++round) {
       const FilledSolid filled =
-          fillWithFacets(assembled.parts, mesh, sides, options.tolerance, wrong, run);
-      if (filled.shape.IsNull()) return std::nullopt;
-      Assembly assembly = writeAndRead(filled.shape, options, sides, triangles, run);
+          fillWithFacets(parts_, mesh, *sides_, options.tolerance, wrong, run);
+      if (filled.shape.IsNull() || faceCount(filled.shape) > mostFaces) return std::nullopt;
+      TriMesh triangles;
+      Assembly assembly = writeAndRead(filled.shape, options, triangles, run);
       countAsFacets(CarrierKind::Plane, filled.planes, assembly);
       countAsFacets(CarrierKind::Sheet, filled.cones, assembly);
-      assembly.deviation = sweepDeviation(triangles, mesh.points, sides.interior(), sides.detail(),
-                                          options.tolerance);
+      assembly.deviation = sweepDeviation(triangles, mesh.points, sides_->interior(),
+                                          sides_->detail(), options.tolerance);
       if (assembly.deviation <= options.tolerance) return assembly;
-      for (const FarFoot& foot :
-           feetBeyond(triangles, mesh.points, sides.interior(), sides.detail(), options.tolerance))
+      for (const FarFoot& foot : feetBeyond(triangles, mesh.points, sides_->interior(),
+                                            sides_->detail(), options.tolerance))
         wrong.push_back(foot.point);
     }
     return std::nullopt;
@@ -178,8 +194,8 @@ class KernelJudge : public Judge {
  private:
   // Takes the shape as that of the solid, writes it, and reads it again. `triangles`: of the faces
   // that were read.
-  Assembly writeAndRead(const TopoDS_Shape& shape, const SolidOptions& options, const Sides& sides,
-                        TriMesh& triangles, RunContext& run) {
+  Assembly writeAndRead(const TopoDS_Shape& shape, const SolidOptions& options, TriMesh& triangles,
+                        RunContext& run) {
     brep_.shape = shape;
     shortenCurves(brep_.shape);
     std::stringstream text;
@@ -191,7 +207,7 @@ class KernelJudge : public Judge {
     constexpr double kOfDetail = 0.5, kOfTolerance = 0.01;
     constexpr double kAngle = 0.5;  // rad; the deflection demands more
     const double deflection =
-        std::max(kOfDetail * sides.detail(), kOfTolerance * options.tolerance);
+        std::max(kOfDetail * sides_->detail(), kOfTolerance * options.tolerance);
     triangles = ShapeTriangles(brep_.readBack, deflection, kAngle).of(brep_.readBack);
     for (TopExp_Explorer it(brep_.readBack, TopAbs_FACE); it.More(); it.Next())
       ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];
@@ -210,6 +226,9 @@ class KernelJudge : public Judge {
 
   KernelSession kernel_;
   Brep brep_;
+  // Of the last assemble():
+  std::optional<Sides> sides_;
+  std::vector<TopoDS_Face> parts_;  // right, but not closed; empty if the solid was made
   std::optional<ReadCheck> reader_;
 };
 

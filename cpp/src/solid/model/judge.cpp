@@ -8,6 +8,11 @@ std::optional<Assembly> Judge::assemble(const SolidOptions& /*options*/,
   return std::nullopt;
 }
 
+std::optional<Assembly> Judge::fill(const SolidOptions& /*options*/, std::int64_t /*mostFaces*/,
+                                    const HalfEdgeMesh& /*mesh*/, RunContext& /*run*/) {
+  return std::nullopt;
+}
+
 void Judge::writeAssembled(std::ostream& /*out*/, const std::string& /*name*/,
                            const SolidOptions& /*options*/, RunContext& /*run*/) {}
 

@@ -49,20 +49,24 @@ class Judge {
   /// Returns faces that intersect or touch where they share no vertex or edge.
   virtual std::vector<std::int32_t> findInterfering(const Model& model, RunContext& run) = 0;
 
-  /// Makes the solid from SolidOptions::origin; triangles of the mesh fill what is missing. Returns
-  /// nothing if the judge has no kernel or if there is no such solid with about the volume (mm^3)
-  /// of the mesh.
+  /// Makes the solid from SolidOptions::origin. Returns nothing if the judge has no kernel or if
+  /// there is no such solid with about the volume (mm^3) of the mesh.
   virtual std::optional<Assembly> assemble(const SolidOptions& options, const HalfEdgeMesh& mesh,
                                            RunContext& run);
-  /// Writes the solid of the last assemble() as a STEP file.
+  /// Fills what the last assemble() has missed with triangles of the mesh. Returns nothing if there
+  /// is no such solid with at most so many faces.
+  virtual std::optional<Assembly> fill(const SolidOptions& options, std::int64_t mostFaces,
+                                       const HalfEdgeMesh& mesh, RunContext& run);
+  /// Writes the solid of the last assemble() or fill() as a STEP file.
   virtual void writeAssembled(std::ostream& out, const std::string& name,
                               const SolidOptions& options, RunContext& run);
 
-  /// Writes the model of the last setModel(), or the solid of the last assemble(), as a BREP file.
+  /// Writes the model of the last setModel(), or the solid of the last assemble() or fill(), as a
+  /// BREP file.
   virtual void writeBrep(std::ostream& out, RunContext& run) = 0;
   /// Reads a finished file back and checks it. If the file cannot be read correctly, may replace it
   /// by one from the kernel's own writer. `name`: final name of the file, for its header. `model`
-  /// has no faces if the file contains the solid of assemble().
+  /// has no faces if the file contains the solid of assemble() or fill().
   virtual SolidCheck readBack(const Model& model, const std::string& file, const std::string& name,
                               const SolidOptions& options, SolidFormat format, RunContext& run) = 0;
   /// Calls work(), and converts failures of the kernel to an Error.
