@@ -117,7 +117,6 @@ Built buildUpright(const HalfEdgeMesh& mesh, SolidOptions& options, SolidFormat 
       const std::int64_t most = built ? built->faceCount() - 1 : options.maxFaces;
       auto filled = fillFromBody(mesh, options, most, judge, run);
       if (filled && fits(filled->faceCount())) return std::move(*filled);
-      if (built) judge.guard([&] { judge.setModel(built->model, run); }, run);
     }
     if (built) return std::move(*built);
     refuseTooMany(faces, mesh, options, format);
@@ -173,10 +172,10 @@ Built buildWithinLimits(const HalfEdgeMesh& mesh, SolidOptions& options, SolidFo
 
 void writeBuilt(const Built& built, Judge& judge, std::ostream& out, const std::string& name,
                 const SolidOptions& options, SolidFormat format, RunContext& run) {
-  if (format == SolidFormat::Brep) {
+  if (built.model.faces.empty()) {
+    judge.writeAssembled(out, name, options, format, run);
+  } else if (format == SolidFormat::Brep) {
     judge.writeBrep(out, run);
-  } else if (built.model.faces.empty()) {
-    judge.writeAssembled(out, name, options, run);
   } else {
     writeStepText(built.model, out, name, options, run);
   }

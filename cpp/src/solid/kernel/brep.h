@@ -14,10 +14,7 @@
 namespace swept::step {
 
 struct Brep {
-  TopoDS_Shape shape;  ///< one solid, or a compound of solids
-  /// An assembled solid as it was read back. Reading mends parameter curves and tolerances, which a
-  /// BREP file keeps as they are.
-  TopoDS_Shape readBack;
+  TopoDS_Shape shape;               ///< one solid, or a compound of solids
   std::vector<TopoDS_Shape> faces;  ///< in the order of Model::faces
   std::vector<TopoDS_Edge> edges;   ///< in the order of Model::edges
   /// Indices of faces whose edges, wires or parameter curves the kernel could not make.

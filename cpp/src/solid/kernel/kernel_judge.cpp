@@ -113,7 +113,6 @@ class KernelJudge : public Judge {
     const SolidOrigin& origin = *options.origin;
     const Handle(KernelProgress) progress = new KernelProgress(run, 0.0, 0.3);
     Message_ProgressScope scope(progress->Start(), "", 7);
-    brep_ = {};
     parts_.clear();
     if (!canSweepFaces(*origin.shape, origin.trajectory)) return std::nullopt;
     sides_.emplace(origin.shape->shape, origin.trajectory);
@@ -129,8 +128,7 @@ class KernelJudge : public Judge {
     TriMesh triangles;
     Assembly assembly = writeAndRead(assembled.shape, options, triangles, run);
     // The kernel's test takes minutes for faces that are nearly tangent.
-    if (!assembled.isCertain && doesIntersectItself(brep_.readBack, scope.Next(2)))
-      return std::nullopt;
+    if (!assembled.isCertain && doesIntersectItself(readBack_, scope.Next(2))) return std::nullopt;
     assembly.deviation =
         std::max(assembled.filled, sweepDeviation(triangles, mesh.points, sides_->interior(),
                                                   sides_->detail(), options.tolerance));
@@ -141,7 +139,6 @@ class KernelJudge : public Judge {
     // Some faces are wrong only after they were read back.
     constexpr int kRounds = 3;
     if (parts_.empty()) return std::nullopt;
-    brep_ = {};
     std::vector<Eigen::Vector3d> wrong;
     for (int round = 0; round < kRounds; ++round) {
       const FilledSolid filled =
@@ -161,11 +158,15 @@ class KernelJudge : public Judge {
     return std::nullopt;
   }
   void writeAssembled(std::ostream& out, const std::string& name, const SolidOptions& options,
-                      RunContext& run) override {
-    writeStepFile(brep_.shape, out, name, options, kernel_, run);
+                      SolidFormat format, RunContext& run) override {
+    if (format == SolidFormat::Brep) {
+      step::writeBrep(readBack_, out, run);
+    } else {
+      writeStepFile(assembled_, out, name, options, kernel_, run);
+    }
   }
   void writeBrep(std::ostream& out, RunContext& run) override {
-    step::writeBrep(brep_.readBack.IsNull() ? brep_.shape : brep_.readBack, out, run);
+    step::writeBrep(brep_.shape, out, run);
   }
   SolidCheck readBack(const Model& model, const std::string& file, const std::string& name,
                       const SolidOptions& options, SolidFormat format, RunContext& run) override {
@@ -196,20 +197,20 @@ class KernelJudge : public Judge {
   // that were read.
   Assembly writeAndRead(const TopoDS_Shape& shape, const SolidOptions& options, TriMesh& triangles,
                         RunContext& run) {
-    brep_.shape = shape;
-    shortenCurves(brep_.shape);
+    assembled_ = shape;
+    shortenCurves(assembled_);
     std::stringstream text;
-    writeStepFile(brep_.shape, text, "", options, kernel_, run);
-    brep_.readBack = readStepText(text, kernel_, run);
+    writeStepFile(assembled_, text, "", options, kernel_, run);
+    readBack_ = readStepText(text, kernel_, run);
     run.checkpoint(Phase::Export);
     Assembly assembly;
-    assembly.check = checkShape(brep_.readBack, run, 0.3, 0.5);
+    assembly.check = checkShape(readBack_, run, 0.3, 0.5);
     constexpr double kOfDetail = 0.5, kOfTolerance = 0.01;
     constexpr double kAngle = 0.5;  // rad; the deflection demands more
     const double deflection =
         std::max(kOfDetail * sides_->detail(), kOfTolerance * options.tolerance);
-    triangles = ShapeTriangles(brep_.readBack, deflection, kAngle).of(brep_.readBack);
-    for (TopExp_Explorer it(brep_.readBack, TopAbs_FACE); it.More(); it.Next())
+    triangles = ShapeTriangles(readBack_, deflection, kAngle).of(readBack_);
+    for (TopExp_Explorer it(readBack_, TopAbs_FACE); it.More(); it.Next())
       ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];
     return assembly;
   }
@@ -226,6 +227,11 @@ class KernelJudge : public Judge {
 
   KernelSession kernel_;
   Brep brep_;
+  // Of the last assemble() or fill():
+  TopoDS_Shape assembled_;
+  /// The same as it was read back. Reading mends parameter curves and tolerances, which a BREP file
+  /// keeps as they are.
+  TopoDS_Shape readBack_;
   // Of the last assemble():
   std::optional<Sides> sides_;
   std::vector<TopoDS_Face> parts_;  // right, but not closed; empty if the solid was made

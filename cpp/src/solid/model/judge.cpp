@@ -14,6 +14,7 @@ std::optional<Assembly> Judge::fill(const SolidOptions& /*options*/, std::int64_
 }
 
 void Judge::writeAssembled(std::ostream& /*out*/, const std::string& /*name*/,
-                           const SolidOptions& /*options*/, RunContext& /*run*/) {}
+                           const SolidOptions& /*options*/, SolidFormat /*format*/,
+                           RunContext& /*run*/) {}
 
 }  // namespace swept::step

@@ -57,12 +57,11 @@ class Judge {
   /// is no such solid with at most so many faces.
   virtual std::optional<Assembly> fill(const SolidOptions& options, std::int64_t mostFaces,
                                        const HalfEdgeMesh& mesh, RunContext& run);
-  /// Writes the solid of the last assemble() or fill() as a STEP file.
+  /// Writes the solid of the last assemble() or fill().
   virtual void writeAssembled(std::ostream& out, const std::string& name,
-                              const SolidOptions& options, RunContext& run);
+                              const SolidOptions& options, SolidFormat format, RunContext& run);
 
-  /// Writes the model of the last setModel(), or the solid of the last assemble() or fill(), as a
-  /// BREP file.
+  /// Writes the model of the last setModel() as a BREP file.
   virtual void writeBrep(std::ostream& out, RunContext& run) = 0;
   /// Reads a finished file back and checks it. If the file cannot be read correctly, may replace it
   /// by one from the kernel's own writer. `name`: final name of the file, for its header. `model`
