@@ -14,7 +14,7 @@ _shown = []
 #: width late, so one attempt is not enough.
 _WAITS = 0, 50, 200
 #: The border (pixels) at the right of a form.
-BORDER = 14
+_BORDER = 14
 #: The tree to which to_tree_or_panel() moved last, and its event filter.
 _tree = []
 
@@ -105,7 +105,7 @@ def _fit(form):
         return
     dock, area = docks[-1], areas[-1]
     right = form.mapTo(area, QtCore.QPoint(form.minimumSizeHint().width(), 0)).x()
-    missing = right + BORDER - area.viewport().width()
+    missing = right + _BORDER - area.viewport().width()
     if missing > 0:
         window.resizeDocks([dock], [dock.width() + missing], QtCore.Qt.Horizontal)
 

@@ -134,16 +134,6 @@ void coverEnds(const TopoDS_Shape& shape, double farthest) {
   }
 }
 
-// Returns whether the shape consists of as many solids as another one.
-bool hasSolidsOf(const TopoDS_Shape& shape, const TopoDS_Shape& other) {
-  const auto count = [](const TopoDS_Shape& of) {
-    TopTools_IndexedMapOfShape found;
-    TopExp::MapShapes(of, TopAbs_SOLID, found);
-    return found.Extent();
-  };
-  return count(shape) == count(other);
-}
-
 // Returns the solids, repaired if necessary; a null shape if they cannot be made valid.
 TopoDS_Shape repaired(const TopoDS_Shape& solids) {
   // mm: parameter curves may miss the vertices at their ends by rounding errors.
@@ -156,11 +146,18 @@ TopoDS_Shape repaired(const TopoDS_Shape& solids) {
   ShapeFix_Shape mender(solids);
   mender.Perform();
   const TopoDS_Shape mended = mender.Shape();
-  const bool isRight = hasSolidsOf(mended, solids) && BRepCheck_Analyzer(mended).IsValid();
+  const bool isRight = countOf(mended, TopAbs_SOLID) == countOf(solids, TopAbs_SOLID) &&
+                       BRepCheck_Analyzer(mended).IsValid();
   return isRight ? mended : TopoDS_Shape();
 }
 
 }  // namespace
+
+int countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+  TopTools_IndexedMapOfShape found;
+  TopExp::MapShapes(shape, kind, found);
+  return found.Extent();
+}
 
 TopoDS_Compound compoundOf(const std::vector<TopoDS_Face>& faces) {
   const BRep_Builder builder;

@@ -3,12 +3,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <TopAbs_ShapeEnum.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
 namespace swept::step {
+
+/// Returns how many different faces, edges or other parts of a kind a shape has.
+int countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind);
 
 TopoDS_Compound compoundOf(const std::vector<TopoDS_Face>& faces);
 

@@ -27,6 +27,7 @@
 #include "solid/assemble/kernel_geometry.h"
 #include "solid/assemble/mesh_sections.h"
 #include "solid/assemble/possible_faces.h"
+#include "solid/assemble/solid_of_faces.h"
 #include "solid/assemble/straight_sections.h"
 #include "solid/assemble/turning_faces.h"
 
@@ -178,11 +179,7 @@ std::vector<SweptSection> sectionsOf(const SweepingParts& sources, const Move& m
 }
 
 // Solids of an assembly may have faces at one place. The sections are not meant for these.
-bool isOneSolid(const TopoDS_Shape& shape) {
-  TopTools_IndexedMapOfShape solids;
-  TopExp::MapShapes(shape, TopAbs_SOLID, solids);
-  return solids.Extent() <= 1;
-}
+bool isOneSolid(const TopoDS_Shape& shape) { return countOf(shape, TopAbs_SOLID) <= 1; }
 
 // Returns nothing if a step is of another kind.
 std::optional<std::vector<Move>> movesOf(const Trajectory& trajectory) {
@@ -198,11 +195,7 @@ std::optional<std::vector<Move>> movesOf(const Trajectory& trajectory) {
   return moves;
 }
 
-std::size_t faceCount(const TopoDS_Shape& shape) {
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  return faces.Extent();
-}
+std::size_t faceCount(const TopoDS_Shape& shape) { return countOf(shape, TopAbs_FACE); }
 
 // Returns the trajectory without steps in which the body is at rest.
 Trajectory withoutRests(Trajectory trajectory) {

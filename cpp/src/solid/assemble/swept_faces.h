@@ -44,7 +44,7 @@ struct SweptFace {
   /// The face is divided where the sign of one of these changes.
   std::vector<Condition> conditions = {};
 
-  /// Returns whether a point fails to meet no condition by more than `slack`.
+  /// Returns whether a point meets all conditions, or misses them by at most `slack`.
   bool isPossible(const Eigen::Vector2d& on, double slack) const {
     return std::all_of(conditions.begin(), conditions.end(),
                        [&](const Condition& condition) { return condition(on) >= -slack; });

@@ -4,9 +4,7 @@
 #include <Message_ProgressScope.hxx>
 #include <Standard_ErrorHandler.hxx>
 #include <Standard_Failure.hxx>
-#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <algorithm>
@@ -22,6 +20,7 @@
 #include "solid/assemble/shape_triangles.h"
 #include "solid/assemble/shorten_curves.h"
 #include "solid/assemble/sides.h"
+#include "solid/assemble/solid_of_faces.h"
 #include "solid/assemble/sweep_deviation.h"
 #include "solid/assemble/swept_faces.h"
 #include "solid/kernel/brep.h"
@@ -72,12 +71,6 @@ std::string kindOf(const TopoDS_Face& face) {
     default:
       return surfaceKindName(CarrierKind::Sheet);
   }
-}
-
-int faceCount(const TopoDS_Shape& shape) {
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  return faces.Extent();
 }
 
 // Counts some faces of a kind as facets.
@@ -143,7 +136,8 @@ class KernelJudge : public Judge {
     for (int round = 0; round < kRounds; ++round) {
       const FilledSolid filled =
           fillWithFacets(parts_, mesh, *sides_, options.tolerance, wrong, run);
-      if (filled.shape.IsNull() || faceCount(filled.shape) > mostFaces) return std::nullopt;
+      if (filled.shape.IsNull() || countOf(filled.shape, TopAbs_FACE) > mostFaces)
+        return std::nullopt;
       TriMesh triangles;
       Assembly assembly = writeAndRead(filled.shape, options, triangles, run);
       countAsFacets(CarrierKind::Plane, filled.planes, assembly);
@@ -229,8 +223,8 @@ class KernelJudge : public Judge {
   Brep brep_;
   // Of the last assemble() or fill():
   TopoDS_Shape assembled_;
-  /// The same as it was read back. Reading mends parameter curves and tolerances, which a BREP file
-  /// keeps as they are.
+  // The same as it was read back. Reading mends parameter curves and tolerances, which a BREP file
+  // keeps as they are.
   TopoDS_Shape readBack_;
   // Of the last assemble():
   std::optional<Sides> sides_;
