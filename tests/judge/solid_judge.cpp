@@ -17,6 +17,7 @@
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTools.hxx>
@@ -191,6 +192,17 @@ TopoDS_Edge circleAt(const TopoDS_Shape& shape, double z) {
 
 void writeRod(double radius, double length, const std::string& path) {
   writeBrep(BRepPrimAPI_MakeCylinder(radius, length).Shape(), path);
+}
+
+void writeRodWithChamfers(double radius, double length, double chamfer, const std::string& path) {
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(radius, length).Shape();
+  BRepFilletAPI_MakeChamfer maker(rod);
+  for (const double z : {0.0, length}) maker.Add(chamfer, circleAt(rod, z));
+  writeBrep(maker.Shape(), path);
+}
+
+void writeCone(double bottomRadius, double topRadius, double length, const std::string& path) {
+  writeBrep(BRepPrimAPI_MakeCone(bottomRadius, topRadius, length).Shape(), path);
 }
 
 void writeRodWithChamferAndFillet(double radius, double length, const std::string& path) {

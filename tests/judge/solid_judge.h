@@ -34,7 +34,13 @@ TopoDS_Shape readShape(const std::string& path);
 /// Writes a cylinder about the z axis, from z = 0, as a BREP file.
 void writeRod(double radius, double length, const std::string& path);
 
-/// Does the same, with a chamfer around the bottom and a fillet around the top.
+/// Does the same, with chamfers around both ends.
+void writeRodWithChamfers(double radius, double length, double chamfer, const std::string& path);
+
+/// Writes a cone about the z axis, from z = 0, as a BREP file.
+void writeCone(double bottomRadius, double topRadius, double length, const std::string& path);
+
+/// Writes a cylinder with a chamfer around the bottom and a fillet around the top, as a BREP file.
 void writeRodWithChamferAndFillet(double radius, double length, const std::string& path);
 
 /// Writes a cylinder with an ellipse as its base, as a BREP file.

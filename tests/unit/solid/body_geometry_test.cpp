@@ -190,6 +190,27 @@ TEST(BodyGeometry, RoundSurfacesHaveTheNormalsAndParametersOfTheKernel) {
   }
 }
 
+// Tests points of all curves, at times at which they exist, and returns how many there are.
+int testPoints(const BodySurface& surface, const StepPath& path, const ContactCurves& curves) {
+  int count = 0;
+  for (int curve = 0; curve < curves.count(); ++curve) {
+    for (const double time : {0.02, 0.5, 0.98}) {
+      const double s = curves.times(curve).at(time);
+      for (const double part : {0.05, 0.45, 0.8}) {
+        const double w = curves.extent(curve).at(part);
+        const Eigen::Vector3d p = curves.at(curve, w, s);
+        if (!p.allFinite()) continue;
+        EXPECT_NEAR(surface.distanceTo(p), 0, 1e-9);
+        EXPECT_NEAR(surface.normalAt(p).dot(Moment(path, s).velocityAt(p)), 0, 1e-8);
+        EXPECT_NEAR(curves.positionAt(curve, p, s), w, 1e-6);
+        EXPECT_EQ(curves.curveOf(p, s), curve);
+        ++count;
+      }
+    }
+  }
+  return count;
+}
+
 TEST(ContactCurves, AreOnTheSurfaceAndOrthogonalToTheVelocity) {
   const StepPath path(poseAt({0, 0, 0}, 0, Eigen::Vector3d::UnitZ()),
                       poseAt({5, 11, 7}, 0.5, Eigen::Vector3d(1, -2, 1).normalized()),
@@ -201,24 +222,52 @@ TEST(ContactCurves, AreOnTheSurfaceAndOrthogonalToTheVelocity) {
       const BodySurface& surface = body.surfaces[i];
       if (surface.isPlane()) continue;
       const ContactCurves curves(body, static_cast<int>(i), path);
-      ASSERT_EQ(curves.count(), 2);
-      for (const int curve : {0, 1}) {
-        for (const double part : {0.1, 0.3, 0.8}) {
-          for (const double s : {0.0, 0.4, 1.0}) {
-            const double w = curves.extent().at(part);
-            const Eigen::Vector3d p = curves.at(curve, w, s);
-            if (!p.allFinite()) continue;
-            const Moment moment(path, s);
-            EXPECT_NEAR(surface.distanceTo(p), 0, 1e-9);
-            EXPECT_NEAR(surface.normalAt(p).dot(moment.velocityAt(p)), 0, 1e-9);
-            EXPECT_NEAR(curves.positionAt(curve, p), w, 1e-9);
-            EXPECT_EQ(curves.curveOf(p, s), curve);
-            ++found;
-          }
-        }
-      }
+      EXPECT_GE(curves.count(), 2);
+      found += testPoints(surface, path, curves);
     }
     EXPECT_GE(found, 9);
+  }
+}
+
+// At the start, the cone moves along its axis so quickly that no circle touches the envelope. Later
+// the wide part does, then all of it. A curve that turns round crosses the circles near its middle
+// twice.
+TEST(ContactCurves, OfAConeTurnRoundAtAGap) {
+  const BodyGeometry body(BRepPrimAPI_MakeCone(3, 1, 4).Shape());
+  const StepPath path(poseAt({0, 0, 0}, 0, Eigen::Vector3d::UnitY()),
+                      poseAt({0, 0, 8}, 1.2, Eigen::Vector3d::UnitY()), Interpolation::Linear);
+  for (std::size_t i = 0; i < body.surfaces.size(); ++i) {
+    if (body.surfaces[i].kind != BodySurface::Kind::Cone) continue;
+    const ContactCurves curves(body, static_cast<int>(i), path);
+    int turning = 0;
+    for (int curve = 0; curve < curves.count(); ++curve) {
+      const double s = curves.times(curve).at(0.5), w = 0.2 * curves.extent(curve).length();
+      const double onBothSides =
+          (curves.at(curve, w, s) - curves.at(curve, -w, s)).dot(curves.along());
+      if (curves.extent(curve).from == -curves.extent(curve).to && std::abs(onBothSides) < 1e-9)
+        ++turning;
+    }
+    EXPECT_GE(turning, 1);
+    EXPECT_GE(testPoints(body.surfaces[i], path, curves), 9 * turning);
+    EXPECT_GE(curves.changes().size(), 3u);
+  }
+}
+
+// At one moment, a point of the axis of the cylinder moves along the axis. Near this moment, the
+// curves run around the cylinder.
+TEST(ContactCurves, EndAtAMomentAtWhichTheyMeet) {
+  const BodyGeometry body(BRepPrimAPI_MakeCylinder(2, 10).Shape());
+  const Eigen::Vector3d axis = Eigen::Vector3d(1, 0, 1).normalized();
+  const StepPath path(poseAt({0, -0.565, -15}, -0.2, axis), poseAt({0, 0.565, 15}, 0.2, axis),
+                      Interpolation::Linear);
+  for (std::size_t i = 0; i < body.surfaces.size(); ++i) {
+    if (!body.surfaces[i].isCylinder()) continue;
+    const ContactCurves curves(body, static_cast<int>(i), path);
+    EXPECT_GE(testPoints(body.surfaces[i], path, curves), 36);
+    double missing = 1;
+    for (int curve = 0; curve < curves.count(); curve += 2) missing -= curves.times(curve).length();
+    EXPECT_GT(missing, 0);
+    EXPECT_LT(missing, 0.1);
   }
 }
 

@@ -283,6 +283,61 @@ TEST_F(BodySolid, RodThatTurnsWhileItMoves) {
   EXPECT_LE(judged_.faces, 20);
 }
 
+// Motions of tests/tools/turning_suite.py along which a rod or a cone of these sizes has surfaces
+// that are difficult to make, or are nearly tangent.
+class DifficultBodySolid : public BodySolid {
+ protected:
+  void sweepTo(const Vector3d& travel, const Eigen::Quaterniond& turn, int mostFaces) {
+    resolution_ = 64;
+    readBodyFrom(file_);
+    sweep({{0, 0, 0}, travel}, turn);
+    SolidOptions options = optionsWithOrigin();
+    options.tolerance = 0.1;
+    // The test for faces that intersect takes a minute for these.
+    const WrittenSolid report =
+        writeSolid(result_.mesh, folder_.file("envelope.brep"), options, run_);
+    for (const auto& [kind, count] : report.facesByKind) EXPECT_NE(kind, "facet");
+    EXPECT_LE(report.faces, mostFaces);
+    EXPECT_LE(report.deviation, 0.01);
+    EXPECT_NEAR(report.volume, report.meshVolume, 1e-2 * report.volume);
+  }
+
+  static constexpr double kBase = 12, kHeight = 30;
+  const std::string file_ = folder_.file("difficult.brep");
+};
+
+// An edge of regression and two sections end at one point, and have the same tangent there.
+TEST_F(DifficultBodySolid, SectionsThatAreTangentAtTheirEnds) {
+  writeRodWithChamfers(kBase, kHeight, 3, file_);
+  sweepTo({-14.754223565800425, 4.4783098763700178, -35.300709608090315},
+          {0.98647555524629249, 0.13620330758046251, -0.062318911479026406, -0.066565690695207444},
+          16);
+}
+
+// Some sections are shorter than the error of the triangles of the body.
+TEST_F(DifficultBodySolid, SectionsThatNoSamplesCanJudge) {
+  writeCone(kBase, 6, kHeight, file_);
+  sweepTo({15.487276024159758, 44.027159230950758, -17.20897395650227},
+          {0.89206899632907188, -0.32576480511693651, 0.046342243198321947, -0.30974601535921975},
+          30);
+}
+
+// Close to one moment, the points of contact run around the cylinder.
+TEST_F(DifficultBodySolid, ARodThatNearlyMovesAlongItsAxis) {
+  writeRodWithChamfers(kBase, kHeight, 3, file_);
+  sweepTo({-21.379538241026982, 1.9561691991603278, 33.918176841362786},
+          {0.89550238579677066, 0.07373450560868261, -0.31273825653145593, -0.30795045480823685},
+          20);
+}
+
+// Sections end at edges of regression, at which the steps of Newton's method are too long.
+TEST_F(DifficultBodySolid, SectionsThatEndWhereAFaceTurnsBack) {
+  writeRod(kBase, kHeight, file_);
+  sweepTo({1.42237410836425, 10.147214389488878, -56.197743076000556},
+          {0.97435828822892034, 0.22122737463456302, 0.038934205502342126, 0.012980851813670334},
+          14);
+}
+
 // Two faces slide within their planes.
 TEST_F(BodySolid, BoxThatTurnsWithinAPlane) {
   readBodyOf(boxMesh(12, 8, 5));

@@ -148,7 +148,8 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
     std::deque<Pieces> attempts;
     const auto sweepOf = [&](const Pieces& pieces) -> AssembledSweep {
       if (!pieces.openEdges().empty()) return {};
-      return {solidOf(pieces.chosen(), volume, accuracy), pieces.areCertain(), pieces.filled()};
+      return {solidOf(pieces.chosen(), volume, accuracy), pieces.areCertain(), pieces.filled(),
+              pieces.certain()};
     };
     std::vector<TopoDS_Face> kernelFaces;
     for (const SweptFace& face : faces.faces) kernelFaces.push_back(face.face);
@@ -191,7 +192,7 @@ AssembledSweep assembleSweep(const SweptFaces& faces, const Sides& sides, double
       if (!cells && !open.empty()) continue;
       const TopoDS_Shape solid =
           solidOf(cells ? pieces.aroundCells() : pieces.chosen(), volume, accuracy);
-      if (!solid.IsNull()) return {solid, false};
+      if (!solid.IsNull()) return {solid, false, 0, pieces.certain()};
     }
     if (open.empty() || open.size() == before) return failed;
     before = open.size();

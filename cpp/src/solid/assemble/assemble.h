@@ -34,7 +34,8 @@ struct AssembledSweep {
   TopoDS_Shape shape;      ///< null if there is no solid with the volume of the envelope
   bool isCertain = false;  ///< whether the sides of all its faces are certain
   double filled = 0;       ///< mm: the largest width of a groove that the solid does not have
-  /// If `shape` is null: faces of which the samples are certain, with open edges between them.
+  /// Faces of which the samples are certain. If `shape` is null, there are open edges between
+  /// them.
   std::vector<TopoDS_Face> parts = {};
 };
 

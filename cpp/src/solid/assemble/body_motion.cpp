@@ -96,6 +96,13 @@ bool BodyMotion::isOutline(const BodyEdge& edge) const {
       if (std::min(a, b) < -noSpeed() && std::max(a, b) > noSpeed()) return true;
     }
   }
+  // It may be so only between two curves that are near to each other.
+  for (const int k : {0, 1}) {
+    const OfTwo other = speedOn(edge, edge.faces[1 - k]);
+    for (const ZeroArc& arc : contactsOf(edge, edge.faces[k], {0, 1})) {
+      if (std::abs(other(arc.at(arc.range().at(0.5)))) > noSpeed()) return true;
+    }
+  }
   return false;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solid/assemble/zero_curves.h"
+
 namespace swept::step {
 
 using Eigen::Vector3d;
@@ -21,19 +23,17 @@ ContactCurves::ContactCurves(const BodyGeometry& body, int index, const StepPath
     case Kind::Plane:
       origin_ = surface_.footOfOrigin();
       if (size_ <= kNoSpeed) return;
-      count_ = 1;
+      curves_.resize(1);
       across_ /= size_;
       along_ = across_.cross(surface_.axis);
       break;
     case Kind::Cylinder:
       origin_ = surface_.footOfOrigin();
-      count_ = 2;
       break;
     case Kind::Cone:
-      count_ = 2;
       break;
     case Kind::Torus:
-      count_ = 2;
+      curves_.resize(2);
       scale_ = surface_.radius + surface_.tube;
       for (const int curve : {0, 1}) middle_[curve] = middleOf(body, index, curve);
       extent_ = {-M_PI * scale_, M_PI * scale_};
@@ -42,6 +42,7 @@ ContactCurves::ContactCurves(const BodyGeometry& body, int index, const StepPath
       return;
   }
   extent_ = extentOf(body, index);
+  if (!surface_.isPlane()) findCurves();
 }
 
 double ContactCurves::middleOf(const BodyGeometry& body, int index, int curve) const {
@@ -95,43 +96,197 @@ Vector3d ContactCurves::onTorus(int curve, double angle, double s) const {
   return origin_ + distance * away + surface_.tube * onTube.y() * surface_.axis;
 }
 
-Vector3d ContactCurves::at(int curve, double w, double s) const {
-  if (surface_.kind == Kind::Torus) return onTorus(curve, middle_[curve] + w / scale_, s);
-  const Moment moment(path_, s);
-  if (surface_.isPlane())
-    return origin_ + w * along_ - surface_.axis.dot(moment.linear) / size_ * across_;
-  const Vector3d velocity = moment.velocityAt(origin_);
-  const double sign = curve == 0 ? 1 : -1, speedAlong = velocity.dot(surface_.axis);
-  const double c = std::cos(surface_.slope), e = -std::sin(surface_.slope);
-  const double height = w * c, distance = surface_.radius - w * e;
-  const Vector3d m =
-      c * (velocity - speedAlong * surface_.axis) + (distance * e - height * c) * across_;
-  const double size = m.norm(), cosine = -e * speedAlong / size;
-  const Vector3d away =
-      (cosine * m + sign * std::sqrt(1 - cosine * cosine) * surface_.axis.cross(m)) / size;
-  return origin_ + height * surface_.axis + distance * away;
+ContactCurves::Circles ContactCurves::circlesAt(double s) const {
+  const Vector3d velocity = Moment(path_, s).velocityAt(origin_);
+  const double along = velocity.dot(surface_.axis), sine = std::sin(surface_.slope);
+  Circles circles{along,
+                  std::cos(surface_.slope) * (velocity - along * surface_.axis) -
+                      surface_.radius * sine * across_,
+                  {0, 0}};
+  if (size_ <= kNoSpeed) {  // all circles are alike
+    if (circles.first.norm() <= std::abs(along * sine)) circles.gap = {-HUGE_VAL, HUGE_VAL};
+    return circles;
+  }
+  // |m|^2 - (e a.linear)^2 = size_^2 ((w - middle)^2 - square)
+  const double middle = circles.first.dot(across_) / (size_ * size_);
+  const double square =
+      (along * along * sine * sine - onCircle(circles, middle).squaredNorm()) / (size_ * size_);
+  const double half = std::sqrt(std::max(0.0, square));
+  circles.gap = {middle - half, middle + half};
+  if (square <= 0) circles.distance = std::sqrt(-square);
+  return circles;
 }
 
-double ContactCurves::positionAt(int curve, const Vector3d& p) const {
-  switch (surface_.kind) {
-    case Kind::Cone:
-      return (p - origin_).dot(along_) / std::cos(surface_.slope);
-    case Kind::Torus:
-      return scale_ * (surface_.parametersOf(p, {middle_[curve], 0}).x() - middle_[curve]);
-    default:
-      return (p - origin_).dot(along_);
+Range ContactCurves::wideExtent() const {
+  constexpr double kWide = 0.1;  // mm, and share of the extent
+  const double margin = kWide * (1 + extent_.length());
+  return {extent_.from - margin, extent_.to + margin};
+}
+
+ContactCurves::Turn ContactCurves::turnOf(Course course, const Circles& circles) const {
+  constexpr double kWider = 0.1;  // of the extent with its margin
+  const Range left = wideExtent().grown(kWider);
+  if (course == Course::Above) return {circles.gap.to, circles.gap.from, left.to - circles.gap.to};
+  return {circles.gap.from, circles.gap.to, left.from - circles.gap.from};
+}
+
+Range ContactCurves::spreadOf(const Circles& circles) const {
+  return {std::asinh((extent_.from - circles.gap.from) / circles.distance),
+          std::asinh((extent_.to - circles.gap.from) / circles.distance)};
+}
+
+bool ContactCurves::needsSpread(Range s) const {
+  constexpr int kTimes = 64;
+  constexpr double kFar = 0.5;  // of the extent
+  double nearest = HUGE_VAL;
+  for (int i = 0; i <= kTimes; ++i) {
+    const Circles circles = circlesAt(s.at(static_cast<double>(i) / kTimes));
+    if (circles.distance == HUGE_VAL) return false;
+    const double beside =
+        std::max({0.0, extent_.from - circles.gap.from, circles.gap.from - extent_.to});
+    nearest = std::min(nearest, std::hypot(circles.distance, beside));
   }
+  return nearest < kFar * extent_.length();
+}
+
+bool ContactCurves::isRegular(Course course, double s) const {
+  // Of the extent: nearer to a place where four curves meet, they would need too many poles.
+  constexpr double kNear = 0.002;
+  const Circles circles = circlesAt(s);
+  const Range& gap = circles.gap;
+  const Range wide = wideExtent();
+  const double near = kNear * wide.length();
+  const auto isWithin = [&](double w) { return w > wide.from && w < wide.to; };
+  switch (course) {
+    case Course::Whole:
+      if (circles.distance < HUGE_VAL) return !isWithin(gap.from) || circles.distance > near;
+      return gap.to <= wide.from || gap.from >= wide.to;
+    case Course::Above:
+      return gap.length() > near && isWithin(gap.to);
+    case Course::Below:
+      return gap.length() > near && isWithin(gap.from);
+  }
+  return false;
+}
+
+void ContactCurves::findCurves() {
+  for (const Course course : {Course::Whole, Course::Above, Course::Below}) {
+    const auto sign = [&](double s) { return isRegular(course, s) ? 1.0 : -1.0; };
+    std::vector<double> ends = zerosOf(sign, {0, 1});
+    if (sign(0) > 0) ends.insert(ends.begin(), 0);
+    if (sign(1) > 0) ends.push_back(1);
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+      appendCurves(course, {ends[i], ends[i + 1]}, 0);
+  }
+  std::sort(changes_.begin(), changes_.end());
+  changes_.erase(std::unique(changes_.begin(), changes_.end()), changes_.end());
+}
+
+void ContactCurves::appendCurves(Course course, Range s, int depth) {
+  constexpr double kMaxLength = 10;  // times the time in which the curves change
+  constexpr int kMaxDepth = 8;
+  if (depth < kMaxDepth && s.length() > kMaxLength * quickestChange(course, s)) {
+    appendCurves(course, {s.from, s.at(0.5)}, depth + 1);
+    appendCurves(course, {s.at(0.5), s.to}, depth + 1);
+    return;
+  }
+  const bool isSpread = course == Course::Whole && needsSpread(s);
+  curves_.push_back({course, 1, s, isSpread});
+  if (course == Course::Whole) curves_.push_back({course, -1, s, isSpread});
+  changes_.insert(changes_.end(), {s.from, s.to});
+}
+
+double ContactCurves::quickestChange(Course course, Range s) const {
+  constexpr int kTimes = 64;
+  constexpr double kStep = 1e-4;
+  double least = HUGE_VAL;
+  if (course != Course::Whole) return least;
+  for (int i = 0; i <= kTimes && size_ > kNoSpeed; ++i) {
+    const double t = s.at(static_cast<double>(i) / kTimes);
+    const Circles circles = circlesAt(t), after = circlesAt(t + kStep);
+    if (circles.distance == HUGE_VAL) continue;
+    const double w = circles.gap.from, speed = std::abs(after.gap.from - w) / kStep;
+    const double beside = std::max({0.0, extent_.from - w, w - extent_.to});
+    least = std::min(least, std::hypot(circles.distance, beside) / speed);
+  }
+  return least;
+}
+
+Vector3d ContactCurves::onCircles(const Curve& curve, double w, double s) const {
+  const Circles circles = circlesAt(s);
+  const double c = std::cos(surface_.slope), e = -std::sin(surface_.slope);
+  double position = w, root;
+  if (curve.course == Course::Whole) {
+    if (curve.isSpread) {
+      const double part = (w - extent_.from) / extent_.length();
+      position = circles.gap.from + circles.distance * std::sinh(spreadOf(circles).at(part));
+    }
+    const double limit = e * circles.speedAlong;
+    root = curve.sign * std::sqrt(onCircle(circles, position).squaredNorm() - limit * limit);
+  } else {
+    const Turn turn = turnOf(curve.course, circles);
+    const double part = w / extent_.length();
+    position = turn.at + part * part * turn.length;
+    root = part * size_ * std::sqrt(turn.length * (position - turn.other));
+  }
+  const Vector3d m = onCircle(circles, position);
+  const Vector3d away =
+      (root * surface_.axis.cross(m) - e * circles.speedAlong * m) / m.squaredNorm();
+  return origin_ + position * c * surface_.axis + (surface_.radius - position * e) * away;
+}
+
+Vector3d ContactCurves::at(int curve, double w, double s) const {
+  if (surface_.kind == Kind::Torus) return onTorus(curve, middle_[curve] + w / scale_, s);
+  if (!surface_.isPlane()) return onCircles(curves_[curve], w, s);
+  const Moment moment(path_, s);
+  return origin_ + w * along_ - surface_.axis.dot(moment.linear) / size_ * across_;
+}
+
+double ContactCurves::positionOnTurn(Course course, const Vector3d& p, double s) const {
+  const Circles circles = circlesAt(s);
+  const Turn turn = turnOf(course, circles);
+  const double position = (p - origin_).dot(along_) / std::cos(surface_.slope);
+  const double root =
+      surface_.awayFromAxis(p).dot(surface_.axis.cross(onCircle(circles, position)));
+  return extent_.length() * root / (size_ * std::sqrt(turn.length * (position - turn.other)));
+}
+
+double ContactCurves::positionAt(int curve, const Vector3d& p, double s) const {
+  if (surface_.kind == Kind::Torus)
+    return scale_ * (surface_.parametersOf(p, {middle_[curve], 0}).x() - middle_[curve]);
+  const Course course = curves_[curve].course;
+  if (course != Course::Whole) return positionOnTurn(course, p, s);
+  const double along = (p - origin_).dot(along_) / std::cos(surface_.slope);
+  if (!curves_[curve].isSpread) return along;
+  const Circles circles = circlesAt(s);
+  const Range spread = spreadOf(circles);
+  const double place = std::asinh((along - circles.gap.from) / circles.distance);
+  return extent_.from + (place - spread.from) / spread.length() * extent_.length();
 }
 
 int ContactCurves::curveOf(const Vector3d& p, double s) const {
-  if (surface_.isPlane()) return 0;
+  if (surface_.isPlane()) return count() - 1;
   const auto distance = [&](int curve) {
     const Vector3d there = surface_.kind == Kind::Torus
                                ? onTorus(curve, surface_.parametersOf(p, {0, 0}).x(), s)
-                               : at(curve, positionAt(curve, p), s);
+                               : at(curve, positionAt(curve, p, s), s);
     return there.allFinite() ? (there - p).norm() : HUGE_VAL;
   };
-  return distance(0) < distance(1) ? 0 : 1;
+  int nearest = kNoCurve;
+  double least = HUGE_VAL;
+  for (int curve = 0; curve < count(); ++curve) {
+    if (s < times(curve).from || s > times(curve).to) continue;
+    const double d = distance(curve);
+    if (d >= least) continue;
+    least = d;
+    nearest = curve;
+  }
+  return nearest;
+}
+
+Range ContactCurves::extent(int curve) const {
+  if (curves_[curve].course == Course::Whole) return extent_;
+  return {-extent_.length(), extent_.length()};
 }
 
 Range ContactCurves::extentOf(const BodyGeometry& body, int index) const {
@@ -142,10 +297,12 @@ Range ContactCurves::extentOf(const BodyGeometry& body, int index) const {
     for (const int e : face.edges) {
       const BodyEdge& edge = body.edges[e];
       for (int i = 0; i <= kPoints; ++i)
-        w = w.with(positionAt(0, edge.at(edge.range.at(static_cast<double>(i) / kPoints))));
+        w = w.with(
+            (edge.at(edge.range.at(static_cast<double>(i) / kPoints)) - origin_).dot(along_));
     }
   }
-  return w;
+  const double scale = surface_.kind == Kind::Cone ? 1 / std::cos(surface_.slope) : 1;
+  return {scale * w.from, scale * w.to};
 }
 
 }  // namespace swept::step

@@ -1,5 +1,6 @@
 // The points in which a surface of a moving body touches its envelope. At each time of a motion
-// step they form one curve on a plane, two on a cylinder, a cone, a sphere or a torus.
+// step they form one curve on a plane, and two on a cylinder, a sphere, a torus and mostly on a
+// cone.
 // Units:   mm; s is the fraction of the step.
 // Cost:    O(1) for a point.
 // Method:  A point p of the body has the velocity v = linear + angular x p, in coordinates of the
@@ -11,12 +12,18 @@
 //          everywhere, so r has a known angle to m. On a torus, d e - h c = e R, where R is the
 //          radius from the axis to the tube. So at each angle around the axis, c / e is
 //          known. Here linear is the velocity of the point of the axis at which h is 0.
+//          Circles of a cone for which |m| < |e a.linear| do not touch the envelope. They form one
+//          gap, as |m|^2 is a quadratic function of h. Where it begins and where it ends, the two
+//          curves meet. So there is one curve on each side of the gap, which turns round there.
+//          Which curves there are changes at some times of the step (Curve::s).
 // Source:  Abdel-Malek, Blackmore and Joy 2006.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
+#include <vector>
 
 #include "solid/assemble/body_geometry.h"
 #include "solid/sweep/contact.h"
@@ -28,26 +35,77 @@ class ContactCurves {
   /// `index`: of the surface.
   ContactCurves(const BodyGeometry& body, int index, const StepPath& path);
 
+  static constexpr int kNoCurve = -1;
+
   /// Returns how many curves there are. A plane that keeps its direction has none. None are known
   /// on other surfaces.
-  int count() const { return count_; }
+  int count() const { return static_cast<int>(curves_.size()); }
+  /// Returns the times between which there is a curve.
+  const Range& times(int curve) const { return curves_[curve].s; }
+  /// Returns all ends of such times, and 0 and 1, in order.
+  const std::vector<double>& changes() const { return changes_; }
   /// Those of a cylinder are parallel to its axis if the body turns about a parallel one.
   bool areStraight() const {
     return surface_.isPlane() || (surface_.isCylinder() && size_ <= kNoSpeed);
   }
   /// Returns a point of a curve in coordinates of the body; not finite where there is none. `w`:
   /// mm, position along the line of a plane or a cone, along the axis of a cylinder, around the
-  /// axis of a torus.
+  /// axis of a torus. On a curve that turns round it is 0 there, and grows to both sides.
   Eigen::Vector3d at(int curve, double w, double s) const;
-  double positionAt(int curve, const Eigen::Vector3d& p) const;
-  /// Returns the curve to which a point of contact belongs.
+  double positionAt(int curve, const Eigen::Vector3d& p, double s) const;
+  /// Returns the curve to which a point of contact belongs, or kNoCurve.
   int curveOf(const Eigen::Vector3d& p, double s) const;
   /// Returns the positions between which the faces of the surface lie.
-  const Range& extent() const { return extent_; }
+  Range extent(int curve) const;
   /// Unit vector along the line or the axis, in coordinates of the body.
   const Eigen::Vector3d& along() const { return along_; }
 
  private:
+  // Of a cylinder or a cone: the curve crosses all circles, or turns round above or below a gap.
+  enum class Course { Whole, Above, Below };
+  struct Curve {
+    Course course = Course::Whole;
+    double sign = 1;  // of two curves that cross all circles
+    Range s;
+    // Whether positions are spread where the curve bends.
+    bool isSpread = false;
+  };
+  // Of a cylinder or a cone at one time.
+  struct Circles {
+    double speedAlong;           // a.linear
+    Eigen::Vector3d first;       // m at w = 0
+    Range gap;                   // positions without contact
+    double distance = HUGE_VAL;  // if there is no gap, from gap.from to a complex zero of |m|
+  };
+
+  Circles circlesAt(double s) const;
+  // Returns m on the circle at a position.
+  Eigen::Vector3d onCircle(const Circles& circles, double w) const {
+    return circles.first - w * across_;
+  }
+  // Where a curve turns round, in positions along the line: the end of the gap at which it does,
+  // the other end of the gap, and the signed length from the first to where the curve is left off.
+  struct Turn {
+    double at, other, length;
+  };
+  Turn turnOf(Course course, const Circles& circles) const;
+  // Near a complex zero of |m|, the curve bends quickly, as the function atan does. There,
+  // asinh((position - zero) / distance) is a better measure. Returns its range on the extent.
+  Range spreadOf(const Circles& circles) const;
+  bool needsSpread(Range s) const;
+  // Returns the extent with a margin, in which the curves must be regular.
+  Range wideExtent() const;
+  // Returns whether there are curves with this course at this time, and whether they are regular.
+  bool isRegular(Course course, double s) const;
+  void findCurves();
+  // Appends the curves of a range of times. Where they change quickly, it is halved: otherwise the
+  // surfaces that they sweep would need too many poles.
+  void appendCurves(Course course, Range s, int depth);
+  // Returns the shortest time in which curves change much.
+  double quickestChange(Course course, Range s) const;
+  Eigen::Vector3d onCircles(const Curve& curve, double w, double s) const;
+  // Returns the position of a point on a curve that turns round.
+  double positionOnTurn(Course course, const Eigen::Vector3d& p, double s) const;
   Range extentOf(const BodyGeometry& body, int index) const;
   // Returns the point of a torus at an angle around the axis.
   Eigen::Vector3d onTorus(int curve, double angle, double s) const;
@@ -62,7 +120,8 @@ class ContactCurves {
   double size_ = 0;                 // of axis x angular
   double scale_ = 1;                // of a torus: mm per rad
   std::array<double, 2> middle_{};  // of a torus, by curve: the angle at position 0
-  int count_ = 0;
+  std::vector<Curve> curves_;
+  std::vector<double> changes_{0, 1};
   Range extent_;
 };
 

@@ -7,6 +7,7 @@
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_TVertex.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Geom2d_Curve.hxx>
@@ -29,6 +30,29 @@
 
 namespace swept::step {
 namespace {
+
+// Vertices of edges that have a larger tolerance as long as this exists.
+class LargeVertices {
+ public:
+  LargeVertices(const TopTools_ListOfShape& edges, double tolerance) {
+    for (const TopoDS_Shape& edge : edges) {
+      for (TopExp_Explorer it(edge, TopAbs_VERTEX); it.More(); it.Next()) {
+        const auto vertex = Handle(BRep_TVertex)::DownCast(it.Current().TShape());
+        if (vertex->Tolerance() >= tolerance) continue;
+        before_.emplace_back(vertex, vertex->Tolerance());
+        vertex->Tolerance(tolerance);
+      }
+    }
+  }
+  ~LargeVertices() {
+    for (const auto& [vertex, tolerance] : before_) vertex->Tolerance(tolerance);
+  }
+  LargeVertices(const LargeVertices&) = delete;
+  LargeVertices& operator=(const LargeVertices&) = delete;
+
+ private:
+  std::vector<std::pair<Handle(BRep_TVertex), double>> before_;
+};
 
 class Divider {
  public:
@@ -235,16 +259,41 @@ class Divider {
         edges.Append(part.Oriented(TopAbs_REVERSED));
       }
     }
-    BOPAlgo_BuilderFace maker;
-    maker.SetFace(face);
-    maker.SetShapes(edges);
-    maker.SetContext(context_);
-    maker.SetAvoidInternalShapes(Standard_True);  // no edges that do not divide the face
-    maker.Perform();
-    if (maker.HasErrors()) return false;
-    for (const TopoDS_Shape& piece : maker.Areas())
+    const TopTools_ListOfShape pieces = piecesOf(face, edges);
+    for (const TopoDS_Shape& piece : pieces)
       builder_.Add(to, piece.Oriented(faces_[f].Orientation()));
-    return true;
+    return !pieces.IsEmpty();
+  }
+
+  // At a vertex, the kernel orders edges by their angles. It measures them at about the tolerance
+  // of the vertex, where it cannot tell edges apart that are tangent. Then it does not divide the
+  // face along them. So they are measured farther from the vertex, too.
+  TopTools_ListOfShape piecesOf(const TopoDS_Face& face, const TopTools_ListOfShape& edges) const {
+    TopTools_ListOfShape pieces;
+    for (const double from : {0.0, 1e-5, 1e-4, 1e-3}) {  // mm
+      const LargeVertices larger(edges, from);
+      BOPAlgo_BuilderFace maker;
+      maker.SetFace(face);
+      maker.SetShapes(edges);
+      maker.SetContext(context_);
+      maker.SetAvoidInternalShapes(Standard_True);  // no edges that do not divide the face
+      maker.Perform();
+      if (maker.HasErrors()) continue;
+      if (pieces.IsEmpty()) pieces = maker.Areas();
+      if (std::none_of(maker.Areas().begin(), maker.Areas().end(), hasEdgeInside))
+        return maker.Areas();
+    }
+    return pieces;
+  }
+
+  // Returns whether the face is on both sides of an edge that is no seam.
+  static bool hasEdgeInside(const TopoDS_Shape& face) {
+    TopTools_MapOfShape seen;
+    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+      const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+      if (!seen.Add(edge) && !BRep_Tool::IsClosed(edge, TopoDS::Face(face))) return true;
+    }
+    return false;
   }
 
   const std::vector<TopoDS_Face>& faces_;

@@ -16,6 +16,19 @@ namespace swept::step {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+namespace {
+
+// Where a contact curve bends quickly, splines of a high degree need fewer poles.
+std::optional<FittedSheet> fittedGraze(const ExactSurface& exact, Range w, Range t,
+                                       const Knots* given) {
+  constexpr std::size_t kFewPoles = 1500;
+  constexpr int kHighDegree = 9;
+  if (auto fitted = fitSheet(exact, w, t, given, kSurfaceBound, kFewPoles)) return fitted;
+  return fitSheet(exact, w, t, given, kSurfaceBound, kMaxTurningPoles, kHighDegree);
+}
+
+}  // namespace
+
 bool TurningStep::endsExactly(const Contact& contact) const {
   return contact.s.length() < kSameTime || motion_.slidesAt(body_.edges[contact.edge]);
 }
@@ -27,7 +40,9 @@ void TurningStep::appendGrazes(int surface, int curve) {
   for (const Contact& contact : contacts_) {
     if (body_.faces[contact.face].surface != surface || contact.curve != curve) continue;
     const double wider = endsExactly(contact) ? 0 : kOneStep;
-    times.push_back({std::max(0.0, contact.s.from - wider), std::min(1.0, contact.s.to + wider)});
+    const Range within = curves.times(curve);
+    times.push_back(
+        {std::max(within.from, contact.s.from - wider), std::min(within.to, contact.s.to + wider)});
   }
   std::sort(times.begin(), times.end(),
             [](const Range& a, const Range& b) { return a.from < b.from; });
@@ -44,7 +59,7 @@ void TurningStep::appendGrazes(int surface, int curve) {
   };
   for (const Range& s : joined) {
     if (s.length() < kSameTime) continue;
-    Range w = curves.extent();
+    Range w = curves.extent(curve);
     if (body_.surfaces[surface].kind == BodySurface::Kind::Torus) {
       // Elsewhere the curve may be far outside of the face, and irregular.
       w = {HUGE_VAL, -HUGE_VAL};
@@ -59,8 +74,7 @@ void TurningStep::appendGrazes(int surface, int curve) {
       continue;
     }
     const auto fitted =
-        fitSheet(exact, w, motion_.timeOf(s), curves.areStraight() ? &straight : nullptr,
-                 kSurfaceBound, kMaxTurningPoles);
+        fittedGraze(exact, w, motion_.timeOf(s), curves.areStraight() ? &straight : nullptr);
     if (!fitted) continue;
     grazes_.push_back({surface, curve, w, s, static_cast<int>(to_.faces.size())});
     SweptFace& added = to_.faces.emplace_back();
@@ -119,7 +133,8 @@ void TurningStep::appendContact(const Contact& contact) {
     const ContactCurves& curves = curves_[graze->surface];
     const auto onGraze = [&](double t) {
       const Vector2d on = arc.at(t);
-      return Vector2d(curves.positionAt(graze->curve, edge.at(on.x())), motion_.timeOf(on.y()));
+      return Vector2d(curves.positionAt(graze->curve, edge.at(on.x()), on.y()),
+                      motion_.timeOf(on.y()));
     };
     if (!addCurveOn(to_.faces[graze->face].face, shape, onGraze, {1, 1}, arc.range())) return;
     divider.faces.push_back(graze->face);
@@ -137,63 +152,91 @@ void TurningStep::appendContact(const Contact& contact) {
 
 void TurningStep::appendContactCurves(const Graze& graze, int time) {
   for (std::size_t f = 0; f < body_.faces.size(); ++f) {
-    if (body_.faces[f].surface == graze.surface)
-      appendContactCurves(graze, time, static_cast<int>(f));
+    if (body_.faces[f].surface != graze.surface) continue;
+    const int face = static_cast<int>(f);
+    for (const Range& w : partsIn(face, graze, time)) appendContactCurve(graze, time, face, w);
   }
 }
 
-void TurningStep::appendContactCurves(const Graze& graze, int time, int f) {
+std::vector<Range> TurningStep::partsIn(int f, const Graze& graze, double s) const {
   const ContactCurves& curves = curves_[graze.surface];
   std::vector<double> crossings;
-  for (const Vector3d& p : contactsOnBorder(f, time)) {
-    if (curves.curveOf(p, time) == graze.curve)
-      crossings.push_back(curves.positionAt(graze.curve, p));
+  for (const Vector3d& p : contactsOnBorder(f, s)) {
+    const double w = curves.positionAt(graze.curve, p, s);
+    constexpr double kOnCurve = 1e-6;  // mm
+    if ((curves.at(graze.curve, w, s) - p).norm() < kOnCurve) crossings.push_back(w);
   }
   std::sort(crossings.begin(), crossings.end());
+  std::vector<Range> parts;
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
     const Range w{crossings[i], crossings[i + 1]};
     if (w.length() < Precision::Confusion()) continue;
-    const Vector3d middle = curves.at(graze.curve, w.at(0.5), time);
+    const Vector3d middle = curves.at(graze.curve, w.at(0.5), s);
     const BRepClass_FaceClassifier place(body_.faces[f].shape, pointOf(middle),
                                          Precision::Confusion());
-    if (place.State() == TopAbs_IN) appendContactCurve(graze, time, f, w);
+    if (place.State() == TopAbs_IN) parts.push_back(w);
   }
+  return parts;
+}
+
+TopoDS_Edge TurningStep::contactEdge(const Graze& graze, double s, Range w) const {
+  const ContactCurves& curves = curves_[graze.surface];
+  const auto exact = [&](double x) { return motion_.at(curves.at(graze.curve, x, s), s); };
+  const TopoDS_Face& face = to_.faces[graze.face].face;
+  if (curves.areStraight()) {
+    const BRep_Builder builder;
+    TopoDS_Edge edge;
+    const gp_Dir direction = dirOf(path_.at(s).rotation * curves.along());
+    builder.MakeEdge(edge, new Geom_Line(pointOf(exact(w.from)), direction),
+                     Precision::Confusion());
+    builder.Range(edge, 0, w.length());
+    builder.UpdateEdge(edge, new Geom2d_Line(gp_Pnt2d(w.from, motion_.timeOf(s)), gp_Dir2d(1, 0)),
+                       face, Precision::Confusion());
+    return edge;
+  }
+  const TopoDS_Edge edge = fittedEdge(exact, w);
+  const auto on = [&](double x) { return Vector2d(x, motion_.timeOf(s)); };
+  return edge.IsNull() || addCurveOn(face, edge, on, {1, 1}, w) ? edge : TopoDS_Edge();
 }
 
 void TurningStep::appendContactCurve(const Graze& graze, int time, int f, Range w) {
   const ContactCurves& curves = curves_[graze.surface];
   const BodySurface& surface = body_.surfaces[graze.surface];
-  const auto exact = [&](double x) { return motion_.at(curves.at(graze.curve, x, time), time); };
   const int cap = (*caps_[time])[f];
-  TopoDS_Edge edge;
-  if (curves.areStraight()) {
-    const BRep_Builder builder;
-    const gp_Dir direction = dirOf(path_.at(time).rotation * curves.along());
-    builder.MakeEdge(edge, new Geom_Line(pointOf(exact(w.from)), direction),
-                     Precision::Confusion());
-    builder.Range(edge, 0, w.length());
-    builder.UpdateEdge(edge,
-                       new Geom2d_Line(gp_Pnt2d(w.from, motion_.timeOf(time)), gp_Dir2d(1, 0)),
-                       to_.faces[graze.face].face, Precision::Confusion());
-  } else {
-    edge = fittedEdge(exact, w);
-    if (edge.IsNull() ||
-        !addCurveOn(
-            to_.faces[graze.face].face, edge,
-            [&](double x) { return Vector2d(x, motion_.timeOf(time)); }, {1, 1}, w))
-      return;
-  }
+  const TopoDS_Edge edge = contactEdge(graze, time, w);
+  if (edge.IsNull()) return;
   if (!surface.isPlane()) {
     const Vector2d near = body_.parameterRange(f).center();
     const auto onCap = [&](double x) {
-      return cap < static_cast<int>(fixed_.count())
-                 ? fixed_.parametersOf(cap, exact(x))
-                 : body_.surfaceOf(f).parametersOf(curves.at(graze.curve, x, time), near);
+      const Vector3d p = curves.at(graze.curve, x, time);
+      return cap < static_cast<int>(fixed_.count()) ? fixed_.parametersOf(cap, motion_.at(p, time))
+                                                    : body_.surfaceOf(f).parametersOf(p, near);
     };
     if (!addCurveOn(to_.faces[cap].face, edge, onCap, {surface.radius + surface.tube, 1}, w))
       return;
   }
   to_.dividers.push_back({edge, {graze.face, cap}});
+}
+
+void TurningStep::appendChange(const Graze& graze, const Graze& next) {
+  const double s = graze.s.to;
+  if (graze.surface != next.surface || s >= 1 || std::abs(next.s.from - s) > kSameTime) return;
+  const ContactCurves& curves = curves_[graze.surface];
+  for (std::size_t f = 0; f < body_.faces.size(); ++f) {
+    if (body_.faces[f].surface != graze.surface) continue;
+    for (const Range& w : partsIn(static_cast<int>(f), graze, s)) {
+      const auto onNext = [&](double x) {
+        return curves.positionAt(next.curve, curves.at(graze.curve, x, s), s);
+      };
+      const Vector3d middle = curves.at(graze.curve, w.at(0.5), s);
+      if (!((curves.at(next.curve, onNext(w.at(0.5)), s) - middle).norm() < Precision::Confusion()))
+        continue;
+      const TopoDS_Edge edge = contactEdge(graze, s, w);
+      const auto on = [&](double x) { return Vector2d(onNext(x), motion_.timeOf(s)); };
+      if (!edge.IsNull() && addCurveOn(to_.faces[next.face].face, edge, on, {1, 1}, w))
+        to_.dividers.push_back({edge, {graze.face, next.face}});
+    }
+  }
 }
 
 void TurningStep::appendRegression(const Graze& graze) {
@@ -235,7 +278,8 @@ void TurningStep::appendCrossings(const Graze& graze, const OfTwo& area) {
     const BodyEdge& edge = body_.edges[contact.edge];
     const auto onGraze = [&](double t) {
       const Vector2d on = contact.arc.at(t);
-      return Vector2d(curves_[graze.surface].positionAt(graze.curve, edge.at(on.x())), on.y());
+      return Vector2d(curves_[graze.surface].positionAt(graze.curve, edge.at(on.x()), on.y()),
+                      on.y());
     };
     for (const double t :
          zerosOf([&](double x) { return area(onGraze(x)); }, contact.arc.range())) {

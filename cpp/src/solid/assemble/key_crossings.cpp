@@ -44,8 +44,9 @@ void appendKeyCrossings(const BodyGeometry& body, const StepPath& before, const 
   for (std::size_t i = 0; i < body.surfaces.size(); ++i) {
     const BodySurface& surface = body.surfaces[i];
     const ContactCurves curves(body, static_cast<int>(i), before);
-    const Range w = curves.extent();
     for (int curve = 0; curve < curves.count(); ++curve) {
+      if (curves.times(curve).to < 1) continue;
+      const Range w = curves.extent(curve);
       const auto speed = [&](double x) {
         const Vector3d p = curves.at(curve, x, 1);
         return surface.normalAt(p).dot(start.velocityAt(p));

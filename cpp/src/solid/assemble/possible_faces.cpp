@@ -20,8 +20,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-bool isPossible(const SweptFace& face) {
-  constexpr int kSamples = 400, kBorderSamples = 64;
+/// Of a condition.
+constexpr double kRounding = 1e-7;
+
+// `dividers`: curves on the face.
+bool isPossible(const SweptFace& face, const std::vector<TopoDS_Edge>& dividers) {
+  constexpr int kSamples = 400, kBorderSamples = 64, kDividerSamples = 16;
   std::vector<Vector2d> points;
   for (const FaceSample& sample : samplesOf(face.face, kSamples))
     points.emplace_back(sample.on.X(), sample.on.Y());
@@ -36,8 +40,21 @@ bool isPossible(const SweptFace& face) {
       points.emplace_back(p.X(), p.Y());
     }
   }
+  if (std::any_of(points.begin(), points.end(),
+                  [&](const Vector2d& p) { return face.isPossible(p, 0); }))
+    return true;
+  // It may be a narrow strip between two dividers.
+  points.clear();
+  for (const TopoDS_Edge& divider : dividers) {
+    double from, to;
+    const Handle(Geom2d_Curve) on = BRep_Tool::CurveOnSurface(divider, face.face, from, to);
+    for (int i = 0; i <= kDividerSamples && !on.IsNull(); ++i) {
+      const gp_Pnt2d p = on->Value(from + (to - from) * i / kDividerSamples);
+      points.emplace_back(p.X(), p.Y());
+    }
+  }
   return std::any_of(points.begin(), points.end(),
-                     [&](const Vector2d& p) { return face.isPossible(p, 0); });
+                     [&](const Vector2d& p) { return face.isPossible(p, kRounding); });
 }
 
 // Returns by how much a piece fails to meet its worst condition. Each condition has one sign on the
@@ -73,9 +90,13 @@ void renumber(std::vector<SweptSection>& curves, const std::vector<int>& numbers
 
 void dropImpossible(TurningFaces& made) {
   const std::size_t count = made.faces.size();
+  std::vector<std::vector<TopoDS_Edge>> dividers(count);
+  for (const SweptSection& divider : made.dividers) {
+    for (const int f : divider.faces) dividers[f].push_back(divider.edge);
+  }
   std::vector<char> isKept(count, 0);
   parallelBlocks(count, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) isKept[i] = isPossible(made.faces[i]);
+    for (std::size_t i = begin; i < end; ++i) isKept[i] = isPossible(made.faces[i], dividers[i]);
   });
   std::vector<int> numbers(count, -1);
   std::vector<SweptFace> kept;
@@ -90,7 +111,7 @@ void dropImpossible(TurningFaces& made) {
 }
 
 PossiblePieces possiblePieces(const TopoDS_Shape& pieces, const std::vector<SweptFace>& faces) {
-  constexpr double kRounding = 1e-7, kUnlikely = 1e-3;
+  constexpr double kUnlikely = 1e-3;
   // Pieces have the surface of their face.
   std::map<const Geom_Surface*, const std::vector<Condition>*> conditions;
   for (const SweptFace& face : faces)

@@ -212,13 +212,29 @@ PointOnBoth SectionTracer::snappedToEvent(const PointOnBoth& point, double sine)
 
 // Returns the parameters of a point that lies on the face.
 std::optional<Vector2d> SectionTracer::footOn(int side, Vector2d on, const Vector3d& p) const {
-  for (int round = 0; round < kNewtonRounds; ++round) {
-    const Jet at = jet(side, on);
-    on += parameterStep(p - at.at, at);
-    if (!on.allFinite()) return std::nullopt;
+  // The method of Levenberg and Marquardt. Near a fold, the steps of Newton's method are too long.
+  constexpr int kRounds = 60;
+  constexpr double kEnough = 1e-12;  // mm
+  Jet at = jet(side, on);
+  double damping = 1e-6;  // of the squares of the derivatives
+  for (int round = 0; round < kRounds; ++round) {
+    const Vector3d gap = p - at.at;
+    Eigen::Matrix2d square;
+    square << at.u.squaredNorm(), at.u.dot(at.v), at.u.dot(at.v), at.v.squaredNorm();
+    square.diagonal() *= 1 + damping;
+    const Vector2d step = square.ldlt().solve(Vector2d(at.u.dot(gap), at.v.dot(gap)));
+    if (!step.allFinite()) return std::nullopt;
+    const Jet next = jet(side, on + step);
+    if ((next.at - p).norm() < gap.norm()) {
+      at = next;
+      on += step;
+      damping /= 10;
+    } else {
+      damping = std::max(1e-6, 10 * damping);
+    }
+    if (step.cwiseAbs2().dot(square.diagonal()) < kEnough * kEnough) break;
   }
-  if (!((jet(side, on).at - p).norm() < kSamePoint) || !faces_.isInRange(of_[side], on))
-    return std::nullopt;
+  if (!((at.at - p).norm() < kSamePoint) || !faces_.isInRange(of_[side], on)) return std::nullopt;
   return on;
 }
 
@@ -340,7 +356,7 @@ bool SectionTracer::endAtBorder(const PointOnBoth& outside, std::vector<PointOnB
     const auto& [k, border] = borders[i];
     auto point = atBorder(k, border, (inside.at + outside.at) / 2,
                           (inside.on[1 - k] + outside.on[1 - k]) / 2);
-    if (!point) continue;
+    if (!point || isShared(*point)) continue;
     const Vector3d way = point->at - inside.at;
     if (way.norm() >= nearest || way.dot(inside.tangent) < -kSamePoint || isCommonVertex(point->at))
       continue;

@@ -37,10 +37,11 @@ double sizeOf(const TopoDS_Shape& shape) {
 Sides::Sides(const TopoDS_Shape& body, const Trajectory& trajectory)
     : size_(sizeOf(body)),
       isFine_(isElementary(body)),
-      interior_(trianglesOf(body, (isFine_ ? kFineDeflection : kDeflection) * size_), trajectory,
-                (isFine_ ? kFineDeflection : kDeflection) * size_) {}
+      interior_(trianglesOf(body, accuracy()), trajectory, accuracy()) {}
 
 double Sides::distance() const { return (isFine_ ? kFineDistance : kSampleDistance) * size_; }
+
+double Sides::accuracy() const { return (isFine_ ? kFineDeflection : kDeflection) * size_; }
 
 double Sides::detail() const { return kSampleDistance * size_; }
 

@@ -28,6 +28,8 @@ class Sides {
 
   /// mm: how far sample points lie from the face that they judge.
   double distance() const;
+  /// mm: how far the triangles may lie from the body. Nearer to its surface, samples tell nothing.
+  double accuracy() const;
   /// mm: how finely surfaces of the swept volume are triangulated and measured.
   double detail() const;
   const SweptInterior& interior() const { return interior_; }

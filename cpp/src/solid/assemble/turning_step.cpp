@@ -63,6 +63,7 @@ bool TurningStep::append(const PosedBody& start, const PosedBody& end,
     for (const int time : {0, 1}) {
       if (graze.reaches(time)) appendContactCurves(graze, time);
     }
+    for (const Graze& next : grazes_) appendChange(graze, next);
     appendRegression(graze);
   }
   for (std::size_t f = 0; f < body_.faces.size(); ++f) {
@@ -73,7 +74,6 @@ bool TurningStep::append(const PosedBody& start, const PosedBody& end,
 
 const TurningStep::Graze* TurningStep::grazeAt(int surface, const Vector3d& p, int time) const {
   const ContactCurves& curves = curves_[surface];
-  if (curves.count() == 0) return nullptr;
   const int curve = curves.curveOf(p, time);
   const auto found = std::find_if(grazes_.begin(), grazes_.end(), [&](const Graze& graze) {
     return graze.surface == surface && graze.curve == curve && graze.reaches(time);
@@ -81,12 +81,12 @@ const TurningStep::Graze* TurningStep::grazeAt(int surface, const Vector3d& p, i
   return found == grazes_.end() ? nullptr : &*found;
 }
 
-std::vector<Vector3d> TurningStep::contactsOnBorder(int f, int time) const {
+std::vector<Vector3d> TurningStep::contactsOnBorder(int f, double s) const {
   std::vector<Vector3d> contacts;
   for (const int e : body_.faces[f].edges) {
     const BodyEdge& edge = body_.edges[e];
     const OfTwo speed = motion_.speedOn(edge, f);
-    for (const double u : zerosOf([&](double x) { return speed({x, time}); }, edge.range))
+    for (const double u : zerosOf([&](double x) { return speed({x, s}); }, edge.range))
       contacts.push_back(edge.at(u));
   }
   return contacts;
@@ -256,24 +256,34 @@ void TurningStep::findContacts(int e) {
   if (parts.empty()) parts.push_back({0, static_cast<int>(times_.size()) - 1, -1});
   for (const int f : edge.faces) {
     const ContactCurves& curves = curves_[body_.faces[f].surface];
-    const bool isOther = curves.count() == 0;
-    if (isOther && body_.surfaceOf(f).isPlane()) continue;
+    if (curves.count() == 0 && body_.surfaceOf(f).isPlane()) continue;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      const Range within = between(parts[i].from, parts[i].to);
-      for (const ZeroArc& arc : motion_.contactsOf(edge, f, within)) {
-        const Range range = arc.range();
-        const Vector2d middle = arc.at(range.at(0.5));
-        const int curve = isOther ? kNoCurve : curves.curveOf(edge.at(middle.x()), middle.y());
-        Range s{HUGE_VAL, -HUGE_VAL}, w = s;
-        constexpr int kPoints = 16;
-        for (int j = 0; j <= kPoints; ++j) {
-          const Vector2d on = arc.at(range.at(static_cast<double>(j) / kPoints));
-          s = s.with(std::clamp(on.y(), 0.0, 1.0));
-          if (!isOther) w = w.with(curves.positionAt(curve, edge.at(on.x())));
-        }
-        contacts_.push_back({e, f, curve, i, arc, s, w});
+      const Range part = between(parts[i].from, parts[i].to);
+      const std::vector<double>& changes = curves.changes();
+      for (std::size_t k = 0; k + 1 < changes.size(); ++k) {
+        const Range within{std::max(part.from, changes[k]), std::min(part.to, changes[k + 1])};
+        if (within.length() > kSameTime) findContacts(e, f, i, within);
       }
     }
+  }
+}
+
+void TurningStep::findContacts(int e, int f, std::size_t part, Range within) {
+  const BodyEdge& edge = body_.edges[e];
+  const ContactCurves& curves = curves_[body_.faces[f].surface];
+  for (const ZeroArc& arc : motion_.contactsOf(edge, f, within)) {
+    const Range range = arc.range();
+    const Vector2d middle = arc.at(range.at(0.5));
+    const int curve = curves.curveOf(edge.at(middle.x()), middle.y());
+    Range s{HUGE_VAL, -HUGE_VAL}, w = s;
+    constexpr int kPoints = 16;
+    for (int j = 0; j <= kPoints; ++j) {
+      const Vector2d on = arc.at(range.at(static_cast<double>(j) / kPoints));
+      s = s.with(std::clamp(on.y(), within.from, within.to));
+      if (curve != ContactCurves::kNoCurve)
+        w = w.with(curves.positionAt(curve, edge.at(on.x()), on.y()));
+    }
+    contacts_.push_back({e, f, curve, part, arc, s, w});
   }
 }
 

@@ -61,13 +61,11 @@ class TurningStep {
     int face;  // of the result, or -1
   };
 
-  static constexpr int kNoCurve = -1;
-
   // A curve on what an edge sweeps, on which the normal of a face at the edge is orthogonal to the
   // velocity: it is a path of points of contact.
   struct Contact {
     int edge, face;
-    int curve;          // of ContactCurves, or kNoCurve
+    int curve;          // of ContactCurves
     std::size_t sheet;  // of the edge
     ZeroArc arc;        // parameter of the edge, time
     Range s;
@@ -96,6 +94,8 @@ class TurningStep {
                       const Handle(Geom_Surface) & surface) const;
   // Finds the paths of points of contact that lie on an edge.
   void findContacts(int e);
+  // Those on one of its faces and on one part of its sheet.
+  void findContacts(int e, int f, std::size_t part, Range within);
   // Returns whether the grazing surface must end exactly when the contact does. This is so if the
   // body moves in a plane: the contact curve is orthogonal to this plane, so it reaches an edge
   // that is orthogonal to it as a whole. A grazing surface that went on beyond this time would be
@@ -115,14 +115,21 @@ class TurningStep {
   const Graze* grazeOf(const Contact& contact) const;
   // Appends the curve in which what an edge sweeps continues into a grazing surface.
   void appendContact(const Contact& contact);
-  // Returns the points of the border of a face at which it touches the envelope at the start (0) or
-  // the end (1) of the step, in coordinates of the body.
-  std::vector<Eigen::Vector3d> contactsOnBorder(int f, int time) const;
+  // Returns the points of the border of a face at which it touches the envelope at a time, in
+  // coordinates of the body.
+  std::vector<Eigen::Vector3d> contactsOnBorder(int f, double s) const;
   // Appends the parts of a contact curve at the start (0) or the end (1) of the step that lie
   // inside of faces.
   void appendContactCurves(const Graze& graze, int time);
-  void appendContactCurves(const Graze& graze, int time, int f);
   void appendContactCurve(const Graze& graze, int time, int f, Range w);
+  // Returns the parts of the contact curve of a grazing surface at one time that lie inside a face.
+  std::vector<Range> partsIn(int f, const Graze& graze, double s) const;
+  // Appends the parts of a contact curve inside faces at which a grazing surface ends and another
+  // begins, because the courses of the contact curves change at this time.
+  void appendChange(const Graze& graze, const Graze& next);
+  // Returns a part of the contact curve of a grazing surface at one time as a curve on it. Null if
+  // that fails.
+  TopoDS_Edge contactEdge(const Graze& graze, double s, Range w) const;
   // Appends the contact curves of a curved face at the start (0) or the end (1) of the step for
   // which there are no grazing surfaces.
   void appendContactsOfCap(int f, int time);

@@ -29,7 +29,7 @@ struct Range {
 
 class Knots {
  public:
-  static constexpr int kMaxDegree = 5;
+  static constexpr int kMaxDegree = 9;
   /// The basis functions that are not zero at one parameter, with their first two derivatives.
   /// value[order][i] is the derivative of this order of the function of pole first + i.
   struct Basis {

@@ -20,7 +20,8 @@ std::vector<double> evenly(Range range, std::size_t count) {
 
 // Finds knots that suit all iso-lines at the parameters `lines` of the other direction.
 std::optional<Knots> knotsAlong(const ExactSurface& exact, Range range,
-                                const std::vector<double>& lines, bool alongU, double bound) {
+                                const std::vector<double>& lines, bool alongU, double bound,
+                                int degree) {
   const ExactRow row = [&](double v) {
     Eigen::RowVectorXd values(3 * lines.size());
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -29,7 +30,7 @@ std::optional<Knots> knotsAlong(const ExactSurface& exact, Range range,
     }
     return values;
   };
-  return knotsFor(row, range, kSmoothDegree, bound, kMaxSpans);
+  return knotsFor(row, range, degree, bound, kMaxSpans);
 }
 
 Sheet interpolate(const ExactSurface& exact, const Knots& u, const Knots& t) {
@@ -82,17 +83,18 @@ double errorOf(const Sheet& sheet, const ExactSurface& exact) {
 }  // namespace
 
 std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t, const Knots* given,
-                                    double bound, std::size_t maxPoles) {
+                                    double bound, std::size_t maxPoles, int degree) {
   std::size_t lines = kLines;
   double each = bound / 3;  // the errors of the two directions add up
   for (int attempt = 0; attempt < kTries; ++attempt, lines = 2 * lines - 1, each /= 3) {
     // If the knots along u are given, the surface is a spline that moves rigidly, so its poles move
     // rigidly. For a line, the paths of its two ends suffice to choose the knots along t.
     const auto across = given != nullptr && given->degree() == 1 ? evenly(u, 2) : evenly(u, lines);
-    const auto knotsT = knotsAlong(exact, t, across, false, each);
+    const auto knotsT = knotsAlong(exact, t, across, false, each, degree);
     if (!knotsT) return std::nullopt;
-    const auto knotsU = given != nullptr ? std::optional<Knots>(*given)
-                                         : knotsAlong(exact, u, evenly(t, lines), true, each);
+    const auto knotsU = given != nullptr
+                            ? std::optional<Knots>(*given)
+                            : knotsAlong(exact, u, evenly(t, lines), true, each, degree);
     if (!knotsU || knotsU->poleCount() * knotsT->poleCount() > maxPoles) return std::nullopt;
     const auto sheet = std::make_shared<const Sheet>(interpolate(exact, *knotsU, *knotsT));
     const double error = errorOf(*sheet, exact);

@@ -33,6 +33,7 @@ struct FittedSheet {
 /// searches for knots. Returns nothing if the bound is not reached with kMaxSpans spans and
 /// `maxPoles` poles, or if a value is not finite.
 std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t, const Knots* given,
-                                    double bound, std::size_t maxPoles = kMaxPoles);
+                                    double bound, std::size_t maxPoles = kMaxPoles,
+                                    int degree = kSmoothDegree);
 
 }  // namespace swept::step
