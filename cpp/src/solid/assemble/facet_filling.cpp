@@ -18,6 +18,7 @@
 
 #include "geometry/nearest_triangle.h"
 #include "geometry/self_intersections.h"
+#include "solid/assemble/cut_across.h"
 #include "solid/assemble/exact_sections.h"
 #include "solid/assemble/hole_facets.h"
 #include "solid/assemble/hole_triangles.h"
@@ -89,6 +90,31 @@ void markAt(const std::vector<Vector3d>& points, const std::vector<TopoDS_Face>&
   }
 }
 
+// Returns the faces of a shape, and facets.
+std::vector<TopoDS_Face> withFacets(const TopoDS_Shape& shape,
+                                    const std::vector<TopoDS_Face>& facets) {
+  std::vector<TopoDS_Face> faces;
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+    faces.push_back(TopoDS::Face(it.Current()));
+  faces.insert(faces.end(), facets.begin(), facets.end());
+  return faces;
+}
+
+// Cuts long faces at holes into parts. Where facets do not fit to a face, only a part is left out.
+std::vector<TopoDS_Face> cutAtHoles(std::vector<TopoDS_Face> faces, double tolerance) {
+  // The pulley of docs/solids.md: 375 facets without cuts, 270 with them.
+  constexpr double kPartLength = 30;  // times the tolerance
+  constexpr int kMaxParts = 6;
+  std::vector<int> counts(faces.size(), 1);
+  const std::vector<OpenEdge> open = openEdgesOf(faces);
+  for (const OpenEdge& edge : open) {
+    const double length = lengthOf(faces[edge.face]);
+    counts[edge.face] =
+        std::clamp(static_cast<int>(length / (kPartLength * tolerance)), 1, kMaxParts);
+  }
+  return cutAcross(faces, counts);
+}
+
 }  // namespace
 
 FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& mesh,
@@ -101,9 +127,7 @@ FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& m
   // The caller's faces stay as they are: sections become exact in place.
   const TopoDS_Shape own = BRepBuilderAPI_Copy(compoundOf(faces), Standard_False).Shape();
   const TopoDS_Shape whole = joined(own, true);
-  faces.clear();
-  for (TopExp_Explorer it(whole, TopAbs_FACE); it.More(); it.Next())
-    faces.push_back(TopoDS::Face(it.Current()));
+  faces = cutAtHoles(withFacets(whole, {}), tolerance);
   std::map<const void*, int> finer;  // by face
   std::map<const void*, double> areas;
   const auto areaOf = [&](const TopoDS_Face& face) {
@@ -184,10 +208,15 @@ FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& m
       const auto kind = BRepAdaptor_Surface(closed[f], Standard_False).GetType();
       ++(kind == GeomAbs_Plane ? result.planes : result.cones);
     }
-    result.shape = solidOf(closed, mesh.volume, mesh.area * tolerance, true);
-    // Facets are exact already.
-    makeSectionsExact(
-        compoundOf({closed.begin(), closed.begin() + static_cast<std::ptrdiff_t>(faces.size())}));
+    const auto firstFacet = closed.begin() + static_cast<std::ptrdiff_t>(faces.size());
+    TopoDS_Shape exact = joined(compoundOf({closed.begin(), firstFacet}), false);
+    result.shape = solidOf(withFacets(exact, {firstFacet, closed.end()}), mesh.volume,
+                           mesh.area * tolerance, true);
+    if (result.shape.IsNull()) {
+      exact = compoundOf({closed.begin(), firstFacet});
+      result.shape = solidOf(closed, mesh.volume, mesh.area * tolerance, true);
+    }
+    makeSectionsExact(exact);  // facets are exact already
     return result;
   }
   return {};
