@@ -5,16 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
-#include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
-#include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -22,8 +18,6 @@
 #include <map>
 
 #include "judge/solid_judge.h"
-#include "solid/assemble/cut_across.h"
-#include "solid/assemble/open_edges.h"
 #include "solid/test_meshes.h"
 #include "support/shapes.h"
 
@@ -51,40 +45,6 @@ std::vector<TopoDS_Face> cupOf(double height) {
       faces.push_back(face);
   }
   return faces;
-}
-
-double areaOf(const TopoDS_Face& face) {
-  GProp_GProps properties;
-  BRepGProp::SurfaceProperties(face, properties);
-  return properties.Mass();
-}
-
-// A block with a hole: the faces around the hole are cut along lines that the hole interrupts.
-TEST(CutAcross, PartsShareTheirEdgesAndCoverTheFaces) {
-  const TopoDS_Shape hole = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(10, 6, -1), gp::DZ()), 3, 9);
-  BRepAlgoAPI_Cut block(BRepPrimAPI_MakeBox(30, 12, 7).Shape(), hole);
-  const std::vector<TopoDS_Face> faces = facesOf(block.Shape());
-  ASSERT_EQ(faces.size(), 7u);
-  std::vector<int> counts(faces.size(), 1);
-  int cut = 0;
-  double before = 0;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    before += areaOf(faces[f]);
-    if (std::abs(areaOf(faces[f])) > 300) counts[f] = 4;
-    cut += counts[f] > 1;
-  }
-  ASSERT_EQ(cut, 2);
-  std::vector<TopoDS_Face> parts = cutAcross(faces, counts);
-  EXPECT_GE(parts.size(), 5u + 2 * 4u);
-  double after = 0;
-  for (const TopoDS_Face& part : parts) {
-    EXPECT_TRUE(BRepCheck_Analyzer(part).IsValid());
-    after += areaOf(part);
-  }
-  EXPECT_NEAR(after, before, 1e-9 * before);
-  const std::size_t count = parts.size();
-  EXPECT_TRUE(openEdgesOf(parts).empty());
-  EXPECT_EQ(parts.size(), count) << "no edge has more than two faces, or two on the same side";
 }
 
 class FacetFilling : public testing::Test {

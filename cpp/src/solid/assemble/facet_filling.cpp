@@ -18,7 +18,6 @@
 
 #include "geometry/nearest_triangle.h"
 #include "geometry/self_intersections.h"
-#include "solid/assemble/cut_across.h"
 #include "solid/assemble/exact_sections.h"
 #include "solid/assemble/hole_facets.h"
 #include "solid/assemble/hole_triangles.h"
@@ -90,31 +89,6 @@ void markAt(const std::vector<Vector3d>& points, const std::vector<TopoDS_Face>&
   }
 }
 
-// Returns the faces of a shape, and facets.
-std::vector<TopoDS_Face> withFacets(const TopoDS_Shape& shape,
-                                    const std::vector<TopoDS_Face>& facets) {
-  std::vector<TopoDS_Face> faces;
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
-    faces.push_back(TopoDS::Face(it.Current()));
-  faces.insert(faces.end(), facets.begin(), facets.end());
-  return faces;
-}
-
-// Cuts long faces at holes into parts. Where facets do not fit to a face, only a part is left out.
-std::vector<TopoDS_Face> cutAtHoles(std::vector<TopoDS_Face> faces, double tolerance) {
-  // The pulley of docs/solids.md: 375 facets without cuts, 270 with them.
-  constexpr double kPartLength = 30;  // times the tolerance
-  constexpr int kMaxParts = 6;
-  std::vector<int> counts(faces.size(), 1);
-  const std::vector<OpenEdge> open = openEdgesOf(faces);
-  for (const OpenEdge& edge : open) {
-    const double length = lengthOf(faces[edge.face]);
-    counts[edge.face] =
-        std::clamp(static_cast<int>(length / (kPartLength * tolerance)), 1, kMaxParts);
-  }
-  return cutAcross(faces, counts);
-}
-
 }  // namespace
 
 FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& mesh,
@@ -124,10 +98,12 @@ FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& m
   const HalfEdgeMesh thin = thinOpenGround(asOpenGround(mesh), kThinFirst * tolerance, run).mesh;
   const NearestTriangle original(mesh.points, mesh.triangles, NearestTriangle::Walks::Yes);
   const double deflection = kSagFraction * tolerance;
-  // The caller's faces stay as they are: sections become exact in place.
+  // The caller's faces stay as they are: sections become exact in place. Pieces of one face are not
+  // joined: the kernel (7.6) does not end if it joins some of those with open edges.
   const TopoDS_Shape own = BRepBuilderAPI_Copy(compoundOf(faces), Standard_False).Shape();
-  const TopoDS_Shape whole = joined(own, true);
-  faces = cutAtHoles(withFacets(whole, {}), tolerance);
+  faces.clear();
+  for (TopExp_Explorer it(own, TopAbs_FACE); it.More(); it.Next())
+    faces.push_back(TopoDS::Face(it.Current()));
   std::map<const void*, int> finer;  // by face
   std::map<const void*, double> areas;
   const auto areaOf = [&](const TopoDS_Face& face) {
@@ -208,15 +184,10 @@ FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& m
       const auto kind = BRepAdaptor_Surface(closed[f], Standard_False).GetType();
       ++(kind == GeomAbs_Plane ? result.planes : result.cones);
     }
-    const auto firstFacet = closed.begin() + static_cast<std::ptrdiff_t>(faces.size());
-    TopoDS_Shape exact = joined(compoundOf({closed.begin(), firstFacet}), false);
-    result.shape = solidOf(withFacets(exact, {firstFacet, closed.end()}), mesh.volume,
-                           mesh.area * tolerance, true);
-    if (result.shape.IsNull()) {
-      exact = compoundOf({closed.begin(), firstFacet});
-      result.shape = solidOf(closed, mesh.volume, mesh.area * tolerance, true);
-    }
-    makeSectionsExact(exact);  // facets are exact already
+    result.shape = solidOf(closed, mesh.volume, mesh.area * tolerance, true);
+    // Facets are exact already.
+    makeSectionsExact(
+        compoundOf({closed.begin(), closed.begin() + static_cast<std::ptrdiff_t>(faces.size())}));
     return result;
   }
   return {};

@@ -1,14 +1,15 @@
 // Closes faces that have open edges with facets of the envelope's mesh.
 // In:      faces of a sweep that are right, with their normals outward; the closed mesh of the
-//          whole envelope.
+// whole
+//          envelope.
 // Out:     a valid solid that consists of these faces and of facets. Faces at which facets
 //          are impossible are left out, so facets take their place.
 // Units:   mm.
 // Cost:    some tenths of a second for each attempt; 3 to 30 attempts.
 // Method:  hole_triangles.h finds the triangles of the mesh that fill the holes, hole_facets.h
-//          makes faces of them. Then faces are left out that are not valid, that intersect others,
-//          or that are not on the surface of the swept volume, and all is done again. Long faces at
-//          holes are cut into parts first (cut_across.h), so that only a part of them is left out.
+// makes
+//          faces of them. Then faces are left out that are not valid, that intersect others, or
+//          that are not on the surface of the swept volume, and all is done again.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
