@@ -104,7 +104,8 @@ ContactCurves::Circles ContactCurves::circlesAt(double s) const {
                       surface_.radius * sine * across_,
                   {0, 0}};
   if (size_ <= kNoSpeed) {  // all circles are alike
-    if (circles.first.norm() <= std::abs(along * sine)) circles.gap = {-HUGE_VAL, HUGE_VAL};
+    const bool doTouch = circles.first.norm() > std::abs(along * sine);
+    circles.gap = {-HUGE_VAL, doTouch ? -HUGE_VAL : HUGE_VAL};
     return circles;
   }
   // |m|^2 - (e a.linear)^2 = size_^2 ((w - middle)^2 - square)
