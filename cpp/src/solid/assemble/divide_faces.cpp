@@ -326,8 +326,7 @@ TopoDS_Shape divideFaces(const std::vector<TopoDS_Face>& faces,
   for (const TopoDS_Face& face : faces) builder.Add(all, face);
   BRepBuilderAPI_Copy copy(all, Standard_False);
   std::vector<TopoDS_Face> copies;
-  for (const TopoDS_Face& face : faces)
-    copies.push_back(TopoDS::Face(copy.ModifiedShape(face).Oriented(face.Orientation())));
+  for (const TopoDS_Face& face : faces) copies.push_back(TopoDS::Face(copy.ModifiedShape(face)));
   Divider divider(copies, near);
   for (const SweptSection& section : sections) divider.add(section);
   return divider.divide();

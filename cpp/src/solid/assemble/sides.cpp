@@ -4,7 +4,6 @@
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <Bnd_Box.hxx>
-#include <ShapeUpgrade_ShapeDivideAngle.hxx>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -23,13 +22,8 @@ constexpr double kFineDeflection = 1e-7, kFineDistance = 1e-6;
 constexpr double kAngle = 0.1;  // rad, between adjacent triangles of the body
 
 TriMesh trianglesOf(const TopoDS_Shape& body, double deflection) {
-  // The time of the kernel's mesher grows with the square of the number of triangles of a face. The
-  // triangles of a whole torus take 20 s, those of sixteen parts of it 2 s.
-  constexpr double kPart = M_PI / 8;
-  TopoDS_Shape parts = BRepBuilderAPI_Copy(body, Standard_False).Shape();
-  ShapeUpgrade_ShapeDivideAngle divider(kPart, parts);
-  if (divider.Perform()) parts = divider.Result();
-  return ShapeTriangles(parts, deflection, kAngle).of(parts);
+  const TopoDS_Shape copy = BRepBuilderAPI_Copy(body, Standard_False).Shape();
+  return ShapeTriangles(copy, deflection, kAngle).of(copy);
 }
 
 double sizeOf(const TopoDS_Shape& shape) {
