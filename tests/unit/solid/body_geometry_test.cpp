@@ -194,15 +194,16 @@ TEST(BodyGeometry, RoundSurfacesHaveTheNormalsAndParametersOfTheKernel) {
 int testPoints(const BodySurface& surface, const StepPath& path, const ContactCurves& curves) {
   int count = 0;
   for (int curve = 0; curve < curves.count(); ++curve) {
-    for (const double time : {0.02, 0.5, 0.98}) {
-      const double s = curves.times(curve).at(time);
-      for (const double part : {0.05, 0.45, 0.8}) {
+    const Range& times = curves.times(curve);
+    for (const double s : {0.0, 0.4, 1.0, times.at(0.02), times.at(0.5), times.at(0.98)}) {
+      if (s < times.from || s > times.to) continue;
+      for (const double part : {0.1, 0.3, 0.8}) {
         const double w = curves.extent(curve).at(part);
         const Eigen::Vector3d p = curves.at(curve, w, s);
         if (!p.allFinite()) continue;
         EXPECT_NEAR(surface.distanceTo(p), 0, 1e-9);
-        EXPECT_NEAR(surface.normalAt(p).dot(Moment(path, s).velocityAt(p)), 0, 1e-8);
-        EXPECT_NEAR(curves.positionAt(curve, p, s), w, 1e-6);
+        EXPECT_NEAR(surface.normalAt(p).dot(Moment(path, s).velocityAt(p)), 0, 1e-9);
+        EXPECT_NEAR(curves.positionAt(curve, p, s), w, 1e-9);
         EXPECT_EQ(curves.curveOf(p, s), curve);
         ++count;
       }
@@ -222,7 +223,11 @@ TEST(ContactCurves, AreOnTheSurfaceAndOrthogonalToTheVelocity) {
       const BodySurface& surface = body.surfaces[i];
       if (surface.isPlane()) continue;
       const ContactCurves curves(body, static_cast<int>(i), path);
-      EXPECT_GE(curves.count(), 2);
+      if (surface.kind == BodySurface::Kind::Cone) {
+        EXPECT_GE(curves.count(), 2);
+      } else {
+        EXPECT_EQ(curves.count(), 2);
+      }
       found += testPoints(surface, path, curves);
     }
     EXPECT_GE(found, 9);

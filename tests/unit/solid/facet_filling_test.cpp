@@ -95,6 +95,14 @@ TEST_F(FacetFilling, OneFacetReplacesASideOfABox) {
   EXPECT_NEAR(judged_.volume, 480, 1e-9);
 }
 
+TEST_F(FacetFilling, FacesWithoutHolesStayAsTheyAre) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(12, 8, 5).Shape();
+  fill(box, facesOf(box), test::makeBox({0, 0, 0}, {12, 8, 5}));
+  EXPECT_EQ(judged_.faces, 6);
+  EXPECT_EQ(filled_.planes + filled_.cones, 0);
+  EXPECT_NEAR(judged_.volume, 480, 1e-9);
+}
+
 TEST_F(FacetFilling, ACylinderKeepsItsWallWithoutItsTop) {
   fillCup(8, 8);
   EXPECT_GT(filled_.planes, 0);

@@ -119,7 +119,7 @@ ContactCurves::Circles ContactCurves::circlesAt(double s) const {
 }
 
 Range ContactCurves::wideExtent() const {
-  constexpr double kWide = 0.1;  // mm, and share of the extent
+  constexpr double kWide = 0.1;  // mm, and fraction of the extent
   const double margin = kWide * (1 + extent_.length());
   return {extent_.from - margin, extent_.to + margin};
 }
@@ -136,6 +136,11 @@ Range ContactCurves::spreadOf(const Circles& circles) const {
           std::asinh((extent_.to - circles.gap.from) / circles.distance)};
 }
 
+double ContactCurves::distanceToZero(const Circles& circles) const {
+  const double w = circles.gap.from;
+  return std::hypot(circles.distance, std::max({0.0, extent_.from - w, w - extent_.to}));
+}
+
 bool ContactCurves::needsSpread(Range s) const {
   constexpr int kTimes = 64;
   constexpr double kFar = 0.5;  // of the extent
@@ -143,9 +148,7 @@ bool ContactCurves::needsSpread(Range s) const {
   for (int i = 0; i <= kTimes; ++i) {
     const Circles circles = circlesAt(s.at(static_cast<double>(i) / kTimes));
     if (circles.distance == HUGE_VAL) return false;
-    const double beside =
-        std::max({0.0, extent_.from - circles.gap.from, circles.gap.from - extent_.to});
-    nearest = std::min(nearest, std::hypot(circles.distance, beside));
+    nearest = std::min(nearest, distanceToZero(circles));
   }
   return nearest < kFar * extent_.length();
 }
@@ -206,9 +209,8 @@ double ContactCurves::quickestChange(Course course, Range s) const {
     const double t = s.at(static_cast<double>(i) / kTimes);
     const Circles circles = circlesAt(t), after = circlesAt(t + kStep);
     if (circles.distance == HUGE_VAL) continue;
-    const double w = circles.gap.from, speed = std::abs(after.gap.from - w) / kStep;
-    const double beside = std::max({0.0, extent_.from - w, w - extent_.to});
-    least = std::min(least, std::hypot(circles.distance, beside) / speed);
+    const double speed = std::abs(after.gap.from - circles.gap.from) / kStep;
+    least = std::min(least, distanceToZero(circles) / speed);
   }
   return least;
 }
@@ -302,8 +304,8 @@ Range ContactCurves::extentOf(const BodyGeometry& body, int index) const {
             (edge.at(edge.range.at(static_cast<double>(i) / kPoints)) - origin_).dot(along_));
     }
   }
-  const double scale = surface_.kind == Kind::Cone ? 1 / std::cos(surface_.slope) : 1;
-  return {scale * w.from, scale * w.to};
+  const double c = std::cos(surface_.slope);
+  return {w.from / c, w.to / c};
 }
 
 }  // namespace swept::step

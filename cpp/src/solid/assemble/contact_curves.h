@@ -92,6 +92,8 @@ class ContactCurves {
   // Near a complex zero of |m|, the curve bends quickly, as the function atan does. There,
   // asinh((position - zero) / distance) is a better measure. Returns its range on the extent.
   Range spreadOf(const Circles& circles) const;
+  // Returns how far that zero is from the extent, if there is no gap.
+  double distanceToZero(const Circles& circles) const;
   bool needsSpread(Range s) const;
   // Returns the extent with a margin, in which the curves must be regular.
   Range wideExtent() const;

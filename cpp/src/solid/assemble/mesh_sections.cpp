@@ -360,7 +360,7 @@ class Finder {
     gp_Vec forward;
     along.D1(t, at, forward);
     const double length = along.Value(from).Distance(at) + at.Distance(along.Value(to));
-    if (kFraction * length < sides_.accuracy()) return true;
+    if (kFraction * length < sides_.accuracy()) return true;  // samples cannot tell
     const double d = std::max(kNearest, std::min(sides_.distance(), kFraction * length));
     const Vector3d p = vectorOf(at.XYZ()), tangent = vectorOf(forward.XYZ()).normalized();
     std::vector<Vector3d> normals;

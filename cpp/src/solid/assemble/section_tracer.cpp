@@ -214,9 +214,10 @@ PointOnBoth SectionTracer::snappedToEvent(const PointOnBoth& point, double sine)
 std::optional<Vector2d> SectionTracer::footOn(int side, Vector2d on, const Vector3d& p) const {
   // The method of Levenberg and Marquardt. Near a fold, the steps of Newton's method are too long.
   constexpr int kRounds = 60;
-  constexpr double kEnough = 1e-12;  // mm
+  constexpr double kEnough = 1e-12;       // mm
+  constexpr double kFirstDamping = 1e-6;  // of the squares of the derivatives
   Jet at = jet(side, on);
-  double damping = 1e-6;  // of the squares of the derivatives
+  double damping = kFirstDamping;
   for (int round = 0; round < kRounds; ++round) {
     const Vector3d gap = p - at.at;
     Eigen::Matrix2d square;
@@ -230,7 +231,7 @@ std::optional<Vector2d> SectionTracer::footOn(int side, Vector2d on, const Vecto
       on += step;
       damping /= 10;
     } else {
-      damping = std::max(1e-6, 10 * damping);
+      damping = std::max(kFirstDamping, 10 * damping);
     }
     if (step.cwiseAbs2().dot(square.diagonal()) < kEnough * kEnough) break;
   }

@@ -65,7 +65,7 @@ class TurningStep {
   // velocity: it is a path of points of contact.
   struct Contact {
     int edge, face;
-    int curve;          // of ContactCurves
+    int curve;          // of ContactCurves, or its kNoCurve
     std::size_t sheet;  // of the edge
     ZeroArc arc;        // parameter of the edge, time
     Range s;
@@ -94,7 +94,7 @@ class TurningStep {
                       const Handle(Geom_Surface) & surface) const;
   // Finds the paths of points of contact that lie on an edge.
   void findContacts(int e);
-  // Those on one of its faces and on one part of its sheet.
+  // Finds those on one of its faces and on one part of its sheet, within a range of times.
   void findContacts(int e, int f, std::size_t part, Range within);
   // Returns whether the grazing surface must end exactly when the contact does. This is so if the
   // body moves in a plane: the contact curve is orthogonal to this plane, so it reaches an edge

@@ -31,7 +31,8 @@ struct FittedSheet {
 /// Returns a sheet within `bound` of the exact surface. `given`: the knots along u if the exact
 /// surface is a spline along u, as for surfaces that a line or a spline sweeps; null: the function
 /// searches for knots. Returns nothing if the bound is not reached with kMaxSpans spans and
-/// `maxPoles` poles, or if a value is not finite.
+/// `maxPoles` poles, or if a value is not finite. `degree`: in the directions for which no knots
+/// are given.
 std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t, const Knots* given,
                                     double bound, std::size_t maxPoles = kMaxPoles,
                                     int degree = kSmoothDegree);
