@@ -96,7 +96,7 @@ bool BodyMotion::isOutline(const BodyEdge& edge) const {
       if (std::min(a, b) < -noSpeed() && std::max(a, b) > noSpeed()) return true;
     }
   }
-  // It may be so only between two curves that are near to each other.
+  // The edge may be an outline only in a strip between two curves of contact, which samples miss.
   for (const int k : {0, 1}) {
     const OfTwo other = speedOn(edge, edge.faces[1 - k]);
     for (const ZeroArc& arc : contactsOf(edge, edge.faces[k], {0, 1})) {

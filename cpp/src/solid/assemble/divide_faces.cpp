@@ -31,7 +31,7 @@
 namespace swept::step {
 namespace {
 
-// Vertices of edges that have a larger tolerance as long as this exists.
+// Gives the vertices of edges a larger tolerance, until it is destroyed.
 class LargeVertices {
  public:
   LargeVertices(const TopTools_ListOfShape& edges, double tolerance) {
@@ -265,9 +265,10 @@ class Divider {
     return !pieces.IsEmpty();
   }
 
-  // At a vertex, the kernel orders edges by their angles. It measures them at about the tolerance
-  // of the vertex, where it cannot tell edges apart that are tangent. Then it does not divide the
-  // face along them. So they are measured farther from the vertex, too.
+  // Returns the pieces into which edges divide a face. At a vertex, the kernel orders the edges by
+  // their angles, which it measures at about the tolerance of the vertex. If two edges are tangent
+  // to each other there, it may take the wrong one and not divide the face. Then the angles are
+  // measured farther from the vertex.
   TopTools_ListOfShape piecesOf(const TopoDS_Face& face, const TopTools_ListOfShape& edges) const {
     TopTools_ListOfShape pieces;
     for (const double from : {0.0, 1e-5, 1e-4, 1e-3}) {  // mm
