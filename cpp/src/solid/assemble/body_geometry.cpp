@@ -3,8 +3,10 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <Precision.hxx>
 #include <ShapeUpgrade_ShapeDivideClosed.hxx>
 #include <ShapeUpgrade_ShapeDivideClosedEdges.hxx>
 #include <TopExp.hxx>
@@ -28,13 +30,17 @@ using Eigen::Vector3d;
 
 namespace {
 
+// Returns the body with closed faces and edges divided. The kernel leaves edges of the parts marked
+// as if their curves on faces had other parameters; then faces count as invalid.
 TopoDS_Shape withoutClosedParts(const TopoDS_Shape& body) {
   ShapeUpgrade_ShapeDivideClosed faces(body);
   faces.SetNbSplitPoints(1);
   const TopoDS_Shape open = faces.Perform() ? faces.Result() : body;
   ShapeUpgrade_ShapeDivideClosedEdges edges(open);
   edges.SetNbSplitPoints(1);
-  return edges.Perform() ? edges.Result() : open;
+  const TopoDS_Shape divided = edges.Perform() ? edges.Result() : open;
+  BRepLib::SameParameter(divided, Precision::Confusion());
+  return divided;
 }
 
 BodySurface surfaceOfFace(const TopoDS_Face& face) {
