@@ -180,18 +180,6 @@ bool BodySurface::isSame(const BodySurface& other) const {
   return isSameSide && isAtPlaceOf(other, kSame);
 }
 
-bool isElementary(const TopoDS_Shape& body) {
-  for (TopExp_Explorer face(body, TopAbs_FACE); face.More(); face.Next()) {
-    const auto type = BRepAdaptor_Surface(TopoDS::Face(face.Current()), Standard_False).GetType();
-    if (type != GeomAbs_Plane && type != GeomAbs_Cylinder) return false;
-  }
-  for (TopExp_Explorer edge(body, TopAbs_EDGE); edge.More(); edge.Next()) {
-    const auto type = BRepAdaptor_Curve(TopoDS::Edge(edge.Current())).GetType();
-    if (type != GeomAbs_Line && type != GeomAbs_Circle) return false;
-  }
-  return true;
-}
-
 BodyGeometry::BodyGeometry(const TopoDS_Shape& body) : shape(withoutClosedParts(body)) {
   TopTools_IndexedMapOfShape faceMap;
   TopTools_IndexedDataMapOfShapeListOfShape edgeMap;

@@ -79,9 +79,6 @@ struct BodyFace {
   std::vector<int> edges;
 };
 
-/// Returns whether all faces are planes or cylinders and all edges straight or circular.
-bool isElementary(const TopoDS_Shape& body);
-
 /// The parts of a body. Closed faces are cut in two. Faces may share a surface.
 struct BodyGeometry {
   explicit BodyGeometry(const TopoDS_Shape& body);

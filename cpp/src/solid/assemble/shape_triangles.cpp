@@ -11,7 +11,6 @@
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Face.hxx>
 #include <algorithm>
 
 namespace swept::step {
@@ -61,6 +60,15 @@ ShapeTriangles::ShapeTriangles(const TopoDS_Shape& shape, double deflection, dou
   BRepTools::Clean(divided);
   mesh(divided, deflection, angle);
   for (TopoDS_Shape& face : meshed_) face = divider.GetContext()->Apply(face);
+}
+
+std::vector<TopoDS_Face> ShapeTriangles::meshedFaces() const {
+  std::vector<TopoDS_Face> faces;
+  for (const TopoDS_Shape& part : meshed_) {
+    for (TopExp_Explorer it(part, TopAbs_FACE); it.More(); it.Next())
+      faces.push_back(TopoDS::Face(it.Current()));
+  }
+  return faces;
 }
 
 TriMesh ShapeTriangles::of(const TopoDS_Shape& part) const {

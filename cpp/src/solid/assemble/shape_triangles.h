@@ -7,6 +7,7 @@
 #pragma once
 
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
@@ -23,6 +24,9 @@ class ShapeTriangles {
   /// Returns the triangles of a part of the shape. TriMesh::faceOf has the indices of the faces in
   /// the whole shape, from 0. No two faces share vertices.
   TriMesh of(const TopoDS_Shape& part) const;
+
+  /// Returns the faces in which the triangles are stored: those of the shape, or their parts.
+  std::vector<TopoDS_Face> meshedFaces() const;
 
  private:
   TopTools_IndexedMapOfShape faces_;

@@ -2,29 +2,19 @@
 #include "solid/assemble/sides.h"
 
 #include <BRepBndLib.hxx>
-#include <BRepBuilderAPI_Copy.hxx>
 #include <Bnd_Box.hxx>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "solid/assemble/body_geometry.h"
-#include "solid/assemble/shape_triangles.h"
-
 namespace swept::step {
 namespace {
 
-/// Fractions of the size of the body: how far its triangles may lie from its faces, and how far
-/// sample points lie from the face that they judge.
-constexpr double kDeflection = 1.0 / 80000, kSampleDistance = 1.0 / 30000;
-/// The same for bodies with planes and cylinders, where thin triangles are that exact.
-constexpr double kFineDeflection = 1e-7, kFineDistance = 1e-6;
-constexpr double kAngle = 0.1;  // rad, between adjacent triangles of the body
-
-TriMesh trianglesOf(const TopoDS_Shape& body, double deflection) {
-  const TopoDS_Shape copy = BRepBuilderAPI_Copy(body, Standard_False).Shape();
-  return ShapeTriangles(copy, deflection, kAngle).of(copy);
-}
+/// Fraction of the size of the body: how finely its sweep is triangulated and measured.
+constexpr double kDetail = 1.0 / 30000;
+/// How far sample points lie from the face that they judge: at least a fraction of the size of the
+/// body, as faces are not exact; and a multiple of the accuracy of the body's triangles.
+constexpr double kMinDistance = 1e-6, kTimesAccuracy = 8.0 / 3;
 
 double sizeOf(const TopoDS_Shape& shape) {
   Bnd_Box box;
@@ -35,15 +25,18 @@ double sizeOf(const TopoDS_Shape& shape) {
 }  // namespace
 
 Sides::Sides(const TopoDS_Shape& body, const Trajectory& trajectory)
-    : size_(sizeOf(body)),
-      isFine_(isElementary(body)),
-      interior_(trianglesOf(body, accuracy()), trajectory, accuracy()) {}
+    : Sides(fineTriangles(body, sizeOf(body)), sizeOf(body), trajectory) {}
 
-double Sides::distance() const { return (isFine_ ? kFineDistance : kSampleDistance) * size_; }
+Sides::Sides(FineTriangles body, double size, const Trajectory& trajectory)
+    : size_(size),
+      accuracy_(body.accuracy),
+      interior_(std::move(body.mesh), trajectory, accuracy_) {}
 
-double Sides::accuracy() const { return (isFine_ ? kFineDeflection : kDeflection) * size_; }
+double Sides::distance() const {
+  return std::max(kMinDistance * size_, kTimesAccuracy * accuracy_);
+}
 
-double Sides::detail() const { return kSampleDistance * size_; }
+double Sides::detail() const { return kDetail * size_; }
 
 void Sides::vote(const FaceSample& sample, Votes& votes) const {
   const gp_Vec off = gp_Vec(sample.normal) * distance();

@@ -14,11 +14,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Visits the items near the segment, in pieces so short that their boxes are small.
+// Returns into how many pieces to divide a curve, so that the boxes of the pieces are small.
+int piecesFor(const BoxTree& tree, double length) {
+  const double size = (tree.bounds().high - tree.bounds().low).norm();
+  return std::clamp(static_cast<int>(32 * length / size), 1, 256);
+}
+
+// Visits the items near the segment.
 template <class Visit>
 void forPieces(const BoxTree& tree, const Vector3d& from, const Vector3d& to, const Visit& visit) {
-  const double size = (tree.bounds().high - tree.bounds().low).norm();
-  const int pieces = std::clamp(static_cast<int>(32 * (to - from).norm() / size), 1, 256);
+  const int pieces = piecesFor(tree, (to - from).norm());
   for (int i = 0; i < pieces; ++i) {
     const Vector3d a = from + (to - from) * i / pieces, b = from + (to - from) * (i + 1) / pieces;
     if (!visit(a, b)) return;
@@ -28,7 +33,7 @@ void forPieces(const BoxTree& tree, const Vector3d& from, const Vector3d& to, co
 }  // namespace
 
 SweptInterior::SweptInterior(TriMesh body, const Trajectory& trajectory, double accuracy)
-    : body_(std::move(body)), pivot_(pivotOf(trajectory)) {
+    : body_(std::move(body)), accuracy_(accuracy), pivot_(pivotOf(trajectory)) {
   tree_ = BoxTree(
       body_.triangles.size(),
       [&](std::size_t t) {
@@ -38,16 +43,8 @@ SweptInterior::SweptInterior(TriMesh body, const Trajectory& trajectory, double 
       },
       BoxTree::Order::Medians);
   const Trajectory carried = carriedByPivot(trajectory, pivot_);
-  const Sphere sphere = boundingSphere(body_);
-  const Sphere around{sphere.centre - pivot_, sphere.radius};
-  for (std::size_t k = 0; k + 1 < carried.poses.size(); ++k) {
+  for (std::size_t k = 0; k + 1 < carried.poses.size(); ++k)
     steps_.emplace_back(carried.poses[k], carried.poses[k + 1], carried.interpolation);
-    // A point within the swept volume moves, seen from the body, on an arc of at most this radius.
-    const double radius = 2 * steps_.back().radius(around) + steps_.back().drift();
-    const double angle = steps_.back().angle();
-    chords_.push_back(
-        std::max(1, static_cast<int>(std::ceil(angle * std::sqrt(radius / (8 * accuracy))))));
-  }
 }
 
 bool SweptInterior::isHit(const Vector3d& from, const Vector3d& to) const {
@@ -86,20 +83,50 @@ bool SweptInterior::isInsideBody(const Vector3d& point) const {
   return crossed.size() % 2 == 1;
 }
 
+Vector3d SweptInterior::seen(std::size_t step, double s, const Vector3d& point) const {
+  return steps_[step].at(s).applyInverse(point) + pivot_;
+}
+
+double SweptInterior::bendOf(std::size_t step, const Vector3d& from, const Vector3d& to) const {
+  const StepPath& path = steps_[step];
+  const double angle = path.angle();
+  // Seen from the body, the point moves on a screw, or turns about the origin, which moves along a
+  // line.
+  if (path.isScrew()) return angle * angle * path.radius(from - pivot_);
+  const double radius = std::max((from - pivot_).norm(), (to - pivot_).norm());
+  return angle * angle * radius + 2 * angle * path.drift();
+}
+
+bool SweptInterior::isHit(std::size_t step, const Vector3d& point, const Piece& piece,
+                          double bend) const {
+  const double length = piece.to.s - piece.from.s, off = bend * length * length / 8;
+  const Vector3d grown = Vector3d::Constant(off);
+  if (off <= accuracy_) return isHit(piece.from.at, piece.to.at);
+  bool isNear = false;
+  tree_.forBox(piece.from.at.cwiseMin(piece.to.at) - grown,
+               piece.from.at.cwiseMax(piece.to.at) + grown, [&](std::uint32_t) { isNear = true; });
+  if (!isNear) return false;
+  const double s = (piece.from.s + piece.to.s) / 2;
+  const PointSeen middle{s, seen(step, s, point)};
+  return isHit(step, point, {piece.from, middle}, bend) ||
+         isHit(step, point, {middle, piece.to}, bend);
+}
+
 bool SweptInterior::contains(const Vector3d& point) const {
-  const auto seen = [&](std::size_t step, double s) -> Vector3d {
-    return steps_[step].at(s).applyInverse(point) + pivot_;
-  };
   for (std::size_t k = 0; k < steps_.size(); ++k) {
-    Vector3d from = seen(k, 0);
-    for (int i = 1; i <= chords_[k]; ++i) {
-      const Vector3d to = seen(k, static_cast<double>(i) / chords_[k]);
-      if (isHit(from, to)) return true;
+    PointSeen from{0, seen(k, 0, point)};
+    const Vector3d end = seen(k, 1, point);
+    const double bend = bendOf(k, from.at, end);
+    const int pieces = piecesFor(tree_, (end - from.at).norm() + bend / 2);
+    for (int i = 1; i <= pieces; ++i) {
+      const double s = static_cast<double>(i) / pieces;
+      const PointSeen to{s, seen(k, s, point)};
+      if (isHit(k, point, {from, to}, bend)) return true;
       from = to;
     }
   }
   // The point never crosses the surface of the body, so it is always inside or always outside.
-  return isInsideBody(seen(0, 0));
+  return isInsideBody(seen(0, 0, point));
 }
 
 }  // namespace swept::step

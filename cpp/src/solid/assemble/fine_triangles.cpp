@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/fine_triangles.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
+#include <Poly_Triangulation.hxx>
+#include <Precision.hxx>
+#include <ShapeFix_ShapeTolerance.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/parallel.h"
+#include "solid/assemble/kernel_geometry.h"
+#include "solid/assemble/shape_triangles.h"
+namespace swept::step {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Fractions of the size of the body: accuracy of the kernel's triangles, the least accuracy, and
+/// the highest.
+constexpr double kStart = 1.0 / 2000, kLeast = 1.0 / 80000, kHighest = 1e-7;
+constexpr double kAngle = 0.1;  // rad, between the kernel's triangles
+/// As many triangles take about 200 MB.
+constexpr std::size_t kMaxTriangles = 1200000;
+
+// The triangles of one face.
+class FaceTriangles {
+ public:
+  explicit FaceTriangles(const TopoDS_Face& face)
+      : surface_(face, Standard_False), isReversed_(face.Orientation() == TopAbs_REVERSED) {
+    TopLoc_Location location;
+    const Handle(Poly_Triangulation) part = BRep_Tool::Triangulation(face, location);
+    if (part.IsNull() || !part->HasUVNodes()) return;
+    for (int i = 1; i <= part->NbNodes(); ++i)
+      nodes_.push_back(
+          {vectorOf(part->Node(i).Transformed(location.Transformation()).XYZ()), part->UVNode(i)});
+    for (int i = 1; i <= part->NbTriangles(); ++i) {
+      Triangle& t = triangles_.emplace_back();
+      part->Triangle(i).Get(t[0], t[1], t[2]);
+      for (int& v : t) --v;
+    }
+    for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next())
+      addBorder(TopoDS::Edge(it.Current()), face, part, location);
+  }
+
+  std::size_t count() const { return triangles_.size(); }
+
+  /// Halves sides until they are at most `off` away from the face. Stops with a part of the work
+  /// if there would be more than `max` triangles.
+  void refine(double off, std::size_t max) {
+    std::vector<Triangle> fine, rest = std::move(triangles_);
+    while (!rest.empty() && fine.size() + rest.size() <= max) {
+      std::map<Side, int> middles;
+      const auto middleOf = [&](int a, int b) {
+        const auto [at, isNew] = middles.try_emplace(std::minmax(a, b), -1);
+        if (isNew && isOff(at->first, off)) at->second = halved(at->first);
+        return at->second;
+      };
+      std::vector<Triangle> next;
+      for (const Triangle& t : rest) {
+        std::array<int, 3> middle;
+        int halvedSides = 0;
+        for (int k = 0; k < 3; ++k) {
+          middle[k] = middleOf(t[k], t[(k + 1) % 3]);
+          halvedSides += middle[k] >= 0;
+        }
+        halvedSides == 0 ? fine.push_back(t) : cut(t, middle, halvedSides, next);
+      }
+      rest = std::move(next);
+    }
+    fine.insert(fine.end(), rest.begin(), rest.end());
+    triangles_ = std::move(fine);
+  }
+
+  void appendTo(TriMesh& mesh) const {
+    const auto first = static_cast<std::int32_t>(mesh.vertices.size());
+    for (const Node& node : nodes_) mesh.vertices.push_back(node.at);
+    for (const Triangle& t : triangles_)
+      mesh.triangles.push_back(
+          {first + t[0], first + t[isReversed_ ? 2 : 1], first + t[isReversed_ ? 1 : 2]});
+  }
+
+ private:
+  struct Node {
+    Vector3d at;
+    gp_Pnt2d on;
+  };
+  using Triangle = std::array<int, 3>;
+  using Side = std::pair<int, int>;  // sorted
+  struct BorderEdge {
+    BRepAdaptor_Curve curve;
+    Handle(Geom2d_Curve) on;
+  };
+  struct BorderSide {
+    int edge;
+    double from, to;  // parameters of its nodes, in the order of Side
+  };
+
+  void addBorder(const TopoDS_Edge& edge, const TopoDS_Face& face,
+                 const Handle(Poly_Triangulation) & part, const TopLoc_Location& location) {
+    const Handle(Poly_PolygonOnTriangulation) polygon =
+        BRep_Tool::PolygonOnTriangulation(edge, part, location);
+    if (BRep_Tool::Degenerated(edge) || polygon.IsNull() || !polygon->HasParameters()) return;
+    double from, to;
+    const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+    edges_.push_back({BRepAdaptor_Curve(edge), BRep_Tool::CurveOnSurface(edge, forward, from, to)});
+    for (int i = 1; i < polygon->NbNodes(); ++i)
+      addBorderSide(
+          polygon->Node(i) - 1, polygon->Node(i + 1) - 1,
+          {static_cast<int>(edges_.size()) - 1, polygon->Parameter(i), polygon->Parameter(i + 1)});
+  }
+
+  void addBorderSide(int a, int b, BorderSide side) {
+    if (a > b) std::swap(side.from, side.to);
+    border_[std::minmax(a, b)] = side;
+  }
+
+  // Returns the point at a fraction of a side, on the edge or surface.
+  Node at(const Side& side, const BorderSide* border, double part) const {
+    if (border != nullptr) {
+      // In the same order for both faces of the edge.
+      const auto [from, to] = std::minmax(border->from, border->to);
+      const double t = from + (border->from == from ? part : 1 - part) * (to - from);
+      const BorderEdge& edge = edges_[border->edge];
+      return {vectorOf(edge.curve.Value(t).XYZ()), edge.on->Value(t)};
+    }
+    const gp_XY &a = nodes_[side.first].on.XY(), &b = nodes_[side.second].on.XY();
+    const gp_Pnt2d on(a + part * (b - a));
+    return {onSurface(on), on};
+  }
+
+  Vector3d onSurface(const gp_Pnt2d& on) const {
+    return vectorOf(surface_.Value(on.X(), on.Y()).XYZ());
+  }
+
+  const BorderSide* borderOf(const Side& side) const {
+    const auto found = border_.find(side);
+    return found == border_.end() ? nullptr : &found->second;
+  }
+
+  // Returns whether a side is too far from its edge, or from the face. The edge may be off the
+  // face, by its tolerance in the file. As halving does not change that, either is compared with a
+  // side between its own ends.
+  bool isOff(const Side& side, double off) const {
+    const Node &a = nodes_[side.first], &b = nodes_[side.second];
+    const auto isFar = [off](const Vector3d& from, const Vector3d& to, const auto& pointAt) {
+      const Vector3d along = to - from;
+      const double square = along.squaredNorm();
+      for (const double part : {0.25, 0.5, 0.75}) {  // an S has its middle on the side
+        const Vector3d p = pointAt(part) - from;
+        const double foot = square > 0 ? std::clamp(p.dot(along) / square, 0.0, 1.0) : 0;
+        if ((p - foot * along).norm() > off) return true;
+      }
+      return false;
+    };
+    const BorderSide* border = borderOf(side);
+    if (border != nullptr && edges_[border->edge].curve.GetType() != GeomAbs_Line &&
+        isFar(a.at, b.at, [&](double part) { return at(side, border, part).at; }))
+      return true;
+    return surface_.GetType() != GeomAbs_Plane &&
+           isFar(onSurface(a.on), onSurface(b.on),
+                 [&](double part) { return onSurface(at(side, border, part).on); });
+  }
+
+  int halved(const Side& side) {
+    const BorderSide* known = borderOf(side);
+    const int middle = static_cast<int>(nodes_.size());
+    nodes_.push_back(at(side, known, 0.5));
+    if (known != nullptr) {
+      const BorderSide border = *known;
+      const double t = (border.from + border.to) / 2;
+      addBorderSide(side.first, middle, {border.edge, border.from, t});
+      addBorderSide(side.second, middle, {border.edge, border.to, t});
+    }
+    return middle;
+  }
+
+  // Cuts a triangle at the middles of its sides; -1 if a side is not halved.
+  void cut(Triangle t, std::array<int, 3> middle, int halvedSides,
+           std::vector<Triangle>& to) const {
+    const auto turn = [&] {
+      std::rotate(t.begin(), t.begin() + 1, t.end());
+      std::rotate(middle.begin(), middle.begin() + 1, middle.end());
+    };
+    if (halvedSides == 3) {
+      for (int k = 0; k < 3; ++k) to.push_back({t[k], middle[k], middle[(k + 2) % 3]});
+      to.push_back({middle[0], middle[1], middle[2]});
+      return;
+    }
+    if (halvedSides == 1) {
+      while (middle[0] < 0) turn();
+      to.push_back({t[0], middle[0], t[2]});
+      to.push_back({middle[0], t[1], t[2]});
+      return;
+    }
+    while (middle[2] >= 0) turn();
+    to.push_back({middle[0], t[1], middle[1]});
+    const auto distance = [&](int a, int b) { return (nodes_[a].at - nodes_[b].at).norm(); };
+    if (distance(t[0], middle[1]) < distance(middle[0], t[2])) {
+      to.push_back({t[0], middle[0], middle[1]});
+      to.push_back({t[0], middle[1], t[2]});
+    } else {
+      to.push_back({t[0], middle[0], t[2]});
+      to.push_back({middle[0], middle[1], t[2]});
+    }
+  }
+
+  BRepAdaptor_Surface surface_;
+  bool isReversed_;
+  std::vector<Node> nodes_;
+  std::vector<Triangle> triangles_;
+  std::vector<BorderEdge> edges_;
+  std::map<Side, BorderSide> border_;
+};
+
+// Returns the number of triangles; more than kMaxTriangles if there would be too many.
+std::size_t refine(std::vector<FaceTriangles>& faces, double accuracy) {
+  // If all sides of a triangle bend equally, its middle is off by 4/3 of that.
+  constexpr double kSideFraction = 0.75;
+  std::atomic<std::size_t> count = 0;
+  parallelBlocks(faces.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      faces[i].refine(kSideFraction * accuracy, kMaxTriangles);
+      count += faces[i].count();
+    }
+  });
+  return count;
+}
+
+}  // namespace
+
+FineTriangles fineTriangles(const TopoDS_Shape& body, double size) {
+  constexpr double kStep = 4;  // twice as many sides along a curve
+  const TopoDS_Shape copy = BRepBuilderAPI_Copy(body, Standard_False).Shape();
+  // The mesher makes no triangles that are finer than these tolerances.
+  ShapeFix_ShapeTolerance().SetTolerance(copy, Precision::Confusion());
+  const ShapeTriangles coarse(copy, kStart * size, kAngle);
+  std::vector<FaceTriangles> faces;
+  for (const TopoDS_Face& face : coarse.meshedFaces()) faces.emplace_back(face);
+  FineTriangles fine{{}, kLeast * size};
+  refine(faces, fine.accuracy);
+  while (fine.accuracy > kHighest * size) {
+    std::vector<FaceTriangles> finer = faces;
+    if (refine(finer, fine.accuracy / kStep) > kMaxTriangles) break;
+    faces = std::move(finer);
+    fine.accuracy /= kStep;
+  }
+  for (const FaceTriangles& face : faces) face.appendTo(fine.mesh);
+  return fine;
+}
+
+}  // namespace swept::step

@@ -1,0 +1,27 @@
+// Triangles of a body that are as accurate as a limit of their number allows.
+// Units:   mm.
+// Cost:    some microseconds per triangle.
+// Method:  The kernel's mesher makes coarse triangles. Their sides are halved where they are too
+// far
+//          from the curve of an edge, or from the surface of a face. Each triangle is cut at the
+//          middles of its sides. So a plane keeps long triangles, and a cylinder gets long ones.
+//          (The kernel takes a hundred times as long for triangles as fine as these, and it makes
+//          none that are finer than the tolerances of edges.)
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+
+#include "swept/types.h"
+
+namespace swept::step {
+
+struct FineTriangles {
+  TriMesh mesh;     ///< no two faces share vertices
+  double accuracy;  ///< mm: how far the triangles may lie from the body
+};
+
+/// `size`: of the body, mm.
+FineTriangles fineTriangles(const TopoDS_Shape& body, double size);
+
+}  // namespace swept::step
