@@ -17,8 +17,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <map>
-#include <optional>
+#include <cstdint>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -64,7 +64,8 @@ class FaceTriangles {
   void refine(double off, std::size_t max) {
     std::vector<Triangle> fine, rest = std::move(triangles_);
     while (!rest.empty() && fine.size() + rest.size() <= max) {
-      std::map<Side, int> middles;
+      BySide<int> middles;
+      middles.reserve(2 * rest.size());
       const auto middleOf = [&](int a, int b) {
         const auto [at, isNew] = middles.try_emplace(std::minmax(a, b), -1);
         if (isNew && isOff(at->first, off)) at->second = halved(at->first);
@@ -101,6 +102,17 @@ class FaceTriangles {
   };
   using Triangle = std::array<int, 3>;
   using Side = std::pair<int, int>;  // sorted
+  struct HashOfSide {
+    std::size_t operator()(const Side& side) const {
+      constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15;
+      return (static_cast<std::uint64_t>(side.first) << 32 |
+              static_cast<std::uint32_t>(side.second)) *
+                 kOdd >>
+             16;
+    }
+  };
+  template <class T>
+  using BySide = std::unordered_map<Side, T, HashOfSide>;
   struct BorderEdge {
     BRepAdaptor_Curve curve;
     Handle(Geom2d_Curve) on;
@@ -115,13 +127,31 @@ class FaceTriangles {
     const Handle(Poly_PolygonOnTriangulation) polygon =
         BRep_Tool::PolygonOnTriangulation(edge, part, location);
     if (BRep_Tool::Degenerated(edge) || polygon.IsNull() || !polygon->HasParameters()) return;
-    double from, to;
-    const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
-    edges_.push_back({BRepAdaptor_Curve(edge), BRep_Tool::CurveOnSurface(edge, forward, from, to)});
+    edges_.push_back({BRepAdaptor_Curve(edge), curveOn(face, edge, *polygon, *part)});
     for (int i = 1; i < polygon->NbNodes(); ++i)
       addBorderSide(
           polygon->Node(i) - 1, polygon->Node(i + 1) - 1,
           {static_cast<int>(edges_.size()) - 1, polygon->Parameter(i), polygon->Parameter(i + 1)});
+  }
+
+  // Returns the curve of an edge on which the nodes lie. At a seam there are two.
+  static Handle(Geom2d_Curve)
+      curveOn(const TopoDS_Face& face, const TopoDS_Edge& edge,
+              const Poly_PolygonOnTriangulation& polygon, const Poly_Triangulation& part) {
+    const int middle = (1 + polygon.NbNodes()) / 2;
+    const gp_Pnt2d node = part.UVNode(polygon.Node(middle));
+    Handle(Geom2d_Curve) nearest;
+    double least = HUGE_VAL;
+    for (const TopAbs_Orientation side : {TopAbs_FORWARD, TopAbs_REVERSED}) {
+      double from, to;
+      const Handle(Geom2d_Curve) on =
+          BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Oriented(side)), face, from, to);
+      const double distance = on->Value(polygon.Parameter(middle)).Distance(node);
+      if (distance >= least) continue;
+      least = distance;
+      nearest = on;
+    }
+    return nearest;
   }
 
   void addBorderSide(int a, int b, BorderSide side) {
@@ -224,7 +254,7 @@ class FaceTriangles {
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;
   std::vector<BorderEdge> edges_;
-  std::map<Side, BorderSide> border_;
+  BySide<BorderSide> border_;
 };
 
 // Returns the number of triangles; more than kMaxTriangles if there would be too many.
@@ -244,7 +274,7 @@ std::size_t refine(std::vector<FaceTriangles>& faces, double accuracy) {
 }  // namespace
 
 FineTriangles fineTriangles(const TopoDS_Shape& body, double size) {
-  constexpr double kStep = 4;  // twice as many sides along a curve
+  constexpr double kStep = 4;  // twice as many sides along a curve, and triangles at least
   const TopoDS_Shape copy = BRepBuilderAPI_Copy(body, Standard_False).Shape();
   // The mesher makes no triangles that are finer than these tolerances.
   ShapeFix_ShapeTolerance().SetTolerance(copy, Precision::Confusion());
@@ -252,10 +282,11 @@ FineTriangles fineTriangles(const TopoDS_Shape& body, double size) {
   std::vector<FaceTriangles> faces;
   for (const TopoDS_Face& face : coarse.meshedFaces()) faces.emplace_back(face);
   FineTriangles fine{{}, kLeast * size};
-  refine(faces, fine.accuracy);
-  while (fine.accuracy > kHighest * size) {
+  std::size_t count = refine(faces, fine.accuracy);
+  while (fine.accuracy > kHighest * size && 2 * count <= kMaxTriangles) {
     std::vector<FaceTriangles> finer = faces;
-    if (refine(finer, fine.accuracy / kStep) > kMaxTriangles) break;
+    count = refine(finer, fine.accuracy / kStep);
+    if (count > kMaxTriangles) break;
     faces = std::move(finer);
     fine.accuracy /= kStep;
   }
