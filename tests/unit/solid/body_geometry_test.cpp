@@ -5,8 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -88,22 +92,25 @@ TEST(BodyGeometry, CutsClosedFacesAndKnowsTheirSurface) {
 
 // Edges that are marked as if their curves had different parameters make faces invalid.
 TEST(BodyGeometry, EdgesStayValidWhereClosedFacesAreCut) {
-  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(2, 5).Shape();
-  const TopoDS_Shape notched =
-      BRepAlgoAPI_Cut(rod, BRepPrimAPI_MakeBox(gp_Pnt(-3, -1, -1), gp_Pnt(3, 1, 2)).Shape())
-          .Shape();
-  const TopoDS_Shape countersunk =
-      BRepAlgoAPI_Cut(notched, BRepPrimAPI_MakeCone(gp_Ax2({0, 0, 4}, {0, 0, 1}), 0.5, 1.5, 1))
-          .Shape();
-  for (const TopoDS_Shape& shape : {rod, notched, countersunk}) {
-    const BodyGeometry body(shape);
-    for (const BodyFace& face : body.faces) {
-      EXPECT_TRUE(BRepCheck_Analyzer(face.shape).IsValid());
-      for (TopExp_Explorer it(face.shape, TopAbs_EDGE); it.More(); it.Next()) {
-        EXPECT_TRUE(BRep_Tool::SameParameter(TopoDS::Edge(it.Current())));
-        EXPECT_TRUE(BRep_Tool::SameRange(TopoDS::Edge(it.Current())));
-      }
+  // Files have cylinders that begin at -pi, and with them the circles.
+  const gp_Cylinder cylinder(gp_Ax3(), 2);
+  BRepBuilderAPI_Sewing rod;
+  const TopoDS_Face side = BRepBuilderAPI_MakeFace(cylinder, -M_PI, M_PI, 0, 5);
+  rod.Add(side);
+  for (TopExp_Explorer it(side, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    if (BRepAdaptor_Curve(edge).GetType() != GeomAbs_Circle) continue;
+    rod.Add(BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(edge).Wire()).Face());
+  }
+  rod.Perform();
+  const BodyGeometry body(rod.SewedShape());
+  EXPECT_EQ(body.faces.size(), 4u);
+  for (const BodyFace& face : body.faces) {
+    for (TopExp_Explorer it(face.shape, TopAbs_EDGE); it.More(); it.Next()) {
+      EXPECT_TRUE(BRep_Tool::SameParameter(TopoDS::Edge(it.Current())));
+      EXPECT_TRUE(BRep_Tool::SameRange(TopoDS::Edge(it.Current())));
     }
+    EXPECT_TRUE(BRepCheck_Analyzer(face.shape).IsValid());
   }
 }
 
