@@ -75,6 +75,31 @@ TEST(SweptInterior, TurnAndMoveAboutAPivot) {
   expectAgreement(trajectory, {-6, -4, -6}, {16, 20, 16});
 }
 
+// Seen from a body that turns slowly and moves fast, points move on curves that bend more than
+// their angle tells.
+TEST(SweptInterior, PointsNearTheSurfaceOfALongMove) {
+  constexpr double kCoarse = 5e-3, kClear = 0.02;  // mm
+  const Trajectory trajectory =
+      motionTo({40, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Vector3d::UnitZ())));
+  const step::SweptInterior interior(test::boxMesh(12, 8, 5), trajectory, kCoarse);
+  const StepPath path(trajectory.poses[0], trajectory.poses[1], trajectory.interpolation);
+  int inside = 0, outside = 0;
+  for (int i = 1; i < 200; ++i) {
+    const double s = i / 200.0;
+    for (const Vector3d& corner : {Vector3d(12, 8, 2), Vector3d(0, 0, 2), Vector3d(12, 0, 2)}) {
+      for (const double off : {-0.05, 0.05}) {
+        const Vector3d point = path.at(s).apply(corner) + Vector3d(0, off, 0);
+        const double depth = depthOf(point, trajectory);
+        if (std::abs(depth) < kClear) continue;
+        EXPECT_EQ(interior.contains(point), depth < 0) << point.transpose() << ", depth " << depth;
+        ++(depth < 0 ? inside : outside);
+      }
+    }
+  }
+  EXPECT_GT(inside, 100);
+  EXPECT_GT(outside, 100);
+}
+
 TEST(SweptInterior, PointsThatStayInTheBody) {
   const step::SweptInterior interior(
       test::boxMesh(12, 8, 5), motionTo({0.1, 0, 0}, Eigen::Quaterniond::Identity()), kAccuracy);
