@@ -11,6 +11,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -34,6 +35,12 @@ Number nextHalfEdge(Number h) {
 template <class Number>
 Number previousHalfEdge(Number h) {
   return h % 3 == 0 ? h + 2 : h - 1;
+}
+
+/// Returns a number for the edge between two vertices, the same for both directions.
+inline std::uint64_t edgeKey(std::int32_t a, std::int32_t b) {
+  return static_cast<std::uint64_t>(std::min(a, b)) << 32 |
+         static_cast<std::uint32_t>(std::max(a, b));
 }
 
 class EdgeTable {

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 
+#include "geometry/cut_triangle.h"
+#include "geometry/half_edges.h"
 #include "motion/step_path.h"
 
 namespace swept {
@@ -129,10 +132,8 @@ class Midpoints {
  public:
   explicit Midpoints(TriMesh& mesh) : mesh_(mesh) {}
   std::int32_t of(std::int32_t a, std::int32_t b) {
-    const std::uint64_t key = static_cast<std::uint64_t>(std::min(a, b)) << 32 |
-                              static_cast<std::uint32_t>(std::max(a, b));
     const auto [at, isNew] =
-        made_.try_emplace(key, static_cast<std::int32_t>(mesh_.vertices.size()));
+        made_.try_emplace(edgeKey(a, b), static_cast<std::int32_t>(mesh_.vertices.size()));
     if (isNew) mesh_.vertices.emplace_back((mesh_.vertices[a] + mesh_.vertices[b]) / 2);
     return at->second;
   }
@@ -171,7 +172,7 @@ TriMesh splitEdges(const TriMesh& body, double longest, RunContext& run) {
     Midpoints midpoints(mesh);
     const std::size_t count = mesh.triangles.size();
     for (std::size_t n = 0; n < count; ++n) {
-      auto t = mesh.triangles[n];
+      const auto t = mesh.triangles[n];
       const auto length2 = [&](int c) {
         return (mesh.vertices[t[c]] - mesh.vertices[t[(c + 1) % 3]]).squaredNorm();
       };
@@ -180,37 +181,29 @@ TriMesh splitEdges(const TriMesh& body, double longest, RunContext& run) {
       for (int c = 0; c < 3; ++c) split += (isLong[c] = length2(c) > longest2) ? 1 : 0;
       if (split == 0) continue;
       changed = true;
-      // Rotate the corners so that the first side is the only long one or the only short one.
-      while (split < 3 && isLong[0] != (split == 1)) {
-        std::rotate(t.begin(), t.begin() + 1, t.end());
-        std::rotate(isLong.begin(), isLong.begin() + 1, isLong.end());
+      // The order of new vertices decides the bytes of the result: the side after a short one is
+      // the first.
+      const auto firstShort = std::find(isLong.begin(), isLong.end(), false);
+      const auto start = firstShort == isLong.end() ? 1 : firstShort - isLong.begin() + 1;
+      std::array<std::int32_t, 3> middle{kNotCut, kNotCut, kNotCut};
+      for (int i = 0; i < 3; ++i) {
+        const auto c = (start + i) % 3;
+        if (isLong[c]) middle[c] = midpoints.of(t[c], t[(c + 1) % 3]);
       }
-      const auto [a, b, c] = t;
-      const auto add = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
-        mesh.triangles.push_back({x, y, z});
-        if (!mesh.faceOf.empty()) mesh.faceOf.push_back(std::int32_t{mesh.faceOf[n]});
-      };
-      if (split == 1) {
-        const std::int32_t ab = midpoints.of(a, b);
-        mesh.triangles[n] = {a, ab, c};
-        add(ab, b, c);
-        continue;
-      }
-      const std::int32_t bc = midpoints.of(b, c), ca = midpoints.of(c, a);
-      mesh.triangles[n] = {ca, bc, c};
-      if (split == 3) {
-        const std::int32_t ab = midpoints.of(a, b);
-        add(a, ab, ca);
-        add(ab, b, bc);
-        add(ab, bc, ca);
-      } else if ((mesh.vertices[a] - mesh.vertices[bc]).squaredNorm() <=
-                 (mesh.vertices[b] - mesh.vertices[ca]).squaredNorm()) {
-        add(a, b, bc);
-        add(a, bc, ca);
-      } else {
-        add(a, b, ca);
-        add(b, bc, ca);
-      }
+      bool isFirst = true;
+      cutTriangle(
+          t, middle,
+          [&](std::int32_t p, std::int32_t q) {
+            return (mesh.vertices[p] - mesh.vertices[q]).squaredNorm();
+          },
+          [&](std::int32_t p, std::int32_t q, std::int32_t r) {
+            if (std::exchange(isFirst, false)) {
+              mesh.triangles[n] = {p, q, r};
+              return;
+            }
+            mesh.triangles.push_back({p, q, r});
+            if (!mesh.faceOf.empty()) mesh.faceOf.push_back(std::int32_t{mesh.faceOf[n]});
+          });
     }
   }
   return mesh;

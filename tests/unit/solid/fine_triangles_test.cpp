@@ -20,6 +20,8 @@
 #include <map>
 #include <utility>
 
+#include "support/shapes.h"
+
 namespace swept::step {
 namespace {
 
@@ -37,13 +39,6 @@ double areaOf(const TopoDS_Shape& shape) {
   GProp_GProps properties;
   BRepGProp::SurfaceProperties(shape, properties);
   return properties.Mass();
-}
-
-double volumeOf(const TriMesh& mesh) {
-  double volume = 0;
-  for (const auto& t : mesh.triangles)
-    volume += mesh.vertices[t[0]].dot(mesh.vertices[t[1]].cross(mesh.vertices[t[2]])) / 6;
-  return volume;
 }
 
 // Returns how many sides of triangles do not have exactly one triangle on either side.
@@ -89,7 +84,8 @@ void expectFine(const TopoDS_Shape& shape, const TopoDS_Shape& same, double accu
   EXPECT_LE(offOf(fine.mesh, same), fine.accuracy + kRounding);
   EXPECT_EQ(openSidesOf(fine.mesh), 0);
   const double volume = volumeOf(same);
-  EXPECT_NEAR(volumeOf(fine.mesh), volume, fine.accuracy * areaOf(same) + kRounding * volume);
+  EXPECT_NEAR(test::signedVolume(fine.mesh), volume,
+              fine.accuracy * areaOf(same) + kRounding * volume);
 }
 
 TEST(FineTriangles, OfPlanesNeedNoMore) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "motion/pivot.h"
 #include "solid/test_meshes.h"
@@ -75,22 +76,20 @@ TEST(SweptInterior, TurnAndMoveAboutAPivot) {
   expectAgreement(trajectory, {-6, -4, -6}, {16, 20, 16});
 }
 
-// Seen from a body that turns slowly and moves fast, points move on curves that bend more than
-// their angle tells.
-TEST(SweptInterior, PointsNearTheSurfaceOfALongMove) {
-  constexpr double kCoarse = 5e-3, kClear = 0.02;  // mm
-  const Trajectory trajectory =
-      motionTo({40, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Vector3d::UnitZ())));
-  const step::SweptInterior interior(test::boxMesh(12, 8, 5), trajectory, kCoarse);
+// Checks points near the paths of three corners. `clear`: mm, nearer to the surface they are left
+// out.
+void expectAgreementNearCorners(const Trajectory& trajectory, double accuracy, double clear,
+                                const std::vector<Vector3d>& offsets) {
+  const step::SweptInterior interior(test::boxMesh(12, 8, 5), trajectory, accuracy);
   const StepPath path(trajectory.poses[0], trajectory.poses[1], trajectory.interpolation);
   int inside = 0, outside = 0;
   for (int i = 1; i < 200; ++i) {
     const double s = i / 200.0;
     for (const Vector3d& corner : {Vector3d(12, 8, 2), Vector3d(0, 0, 2), Vector3d(12, 0, 2)}) {
-      for (const double off : {-0.05, 0.05}) {
-        const Vector3d point = path.at(s).apply(corner) + Vector3d(0, off, 0);
+      for (const Vector3d& offset : offsets) {
+        const Vector3d point = path.at(s).apply(corner) + offset;
         const double depth = depthOf(point, trajectory);
-        if (std::abs(depth) < kClear) continue;
+        if (std::abs(depth) < clear) continue;
         EXPECT_EQ(interior.contains(point), depth < 0) << point.transpose() << ", depth " << depth;
         ++(depth < 0 ? inside : outside);
       }
@@ -98,6 +97,21 @@ TEST(SweptInterior, PointsNearTheSurfaceOfALongMove) {
   }
   EXPECT_GT(inside, 100);
   EXPECT_GT(outside, 100);
+}
+
+// Seen from a body that turns while it moves, points move on curves that bend more than their
+// distances from the body's origin tell.
+TEST(SweptInterior, PointsNearTheSurfaceOfALongMove) {
+  expectAgreementNearCorners(
+      motionTo({40, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Vector3d::UnitZ()))), 5e-3,
+      0.02, {{0, -0.05, 0}, {0, 0.05, 0}});
+}
+
+TEST(SweptInterior, PointsNearTheSurfaceOfAShortMove) {
+  constexpr double kOff = 0.02;
+  expectAgreementNearCorners(
+      motionTo({0.9, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Vector3d::UnitZ()))), 0.012,
+      0.015, {{-kOff, -kOff, 0}, {-kOff, kOff, 0}, {kOff, -kOff, 0}, {kOff, kOff, 0}});
 }
 
 TEST(SweptInterior, PointsThatStayInTheBody) {

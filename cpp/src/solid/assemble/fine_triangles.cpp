@@ -17,14 +17,18 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "base/parallel.h"
+#include "geometry/cut_triangle.h"
+#include "geometry/half_edges.h"
 #include "solid/assemble/kernel_geometry.h"
 #include "solid/assemble/shape_triangles.h"
+
 namespace swept::step {
 namespace {
 
@@ -51,7 +55,7 @@ class FaceTriangles {
     for (int i = 1; i <= part->NbTriangles(); ++i) {
       Triangle& t = triangles_.emplace_back();
       part->Triangle(i).Get(t[0], t[1], t[2]);
-      for (int& v : t) --v;
+      for (std::int32_t& v : t) --v;
     }
     for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next())
       addBorder(TopoDS::Edge(it.Current()), face, part, location);
@@ -64,22 +68,26 @@ class FaceTriangles {
   void refine(double off, std::size_t max) {
     std::vector<Triangle> fine, rest = std::move(triangles_);
     while (!rest.empty() && fine.size() + rest.size() <= max) {
-      BySide<int> middles;
+      std::unordered_map<std::uint64_t, std::int32_t> middles;
       middles.reserve(2 * rest.size());
-      const auto middleOf = [&](int a, int b) {
-        const auto [at, isNew] = middles.try_emplace(std::minmax(a, b), -1);
-        if (isNew && isOff(at->first, off)) at->second = halved(at->first);
+      const auto middleOf = [&](std::int32_t a, std::int32_t b) {
+        const auto [at, isNew] = middles.try_emplace(edgeKey(a, b), kNotCut);
+        const Side side = std::minmax(a, b);
+        if (isNew && isOff(side, off)) at->second = halved(side);
         return at->second;
       };
       std::vector<Triangle> next;
       for (const Triangle& t : rest) {
-        std::array<int, 3> middle;
-        int halvedSides = 0;
-        for (int k = 0; k < 3; ++k) {
-          middle[k] = middleOf(t[k], t[(k + 1) % 3]);
-          halvedSides += middle[k] >= 0;
-        }
-        halvedSides == 0 ? fine.push_back(t) : cut(t, middle, halvedSides, next);
+        const Triangle middle{middleOf(t[0], t[1]), middleOf(t[1], t[2]), middleOf(t[2], t[0])};
+        const bool isFine = middle == Triangle{kNotCut, kNotCut, kNotCut};
+        cutTriangle(
+            t, middle,
+            [&](std::int32_t a, std::int32_t b) {
+              return (nodes_[a].at - nodes_[b].at).squaredNorm();
+            },
+            [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+              (isFine ? fine : next).push_back({a, b, c});
+            });
       }
       rest = std::move(next);
     }
@@ -100,19 +108,8 @@ class FaceTriangles {
     Vector3d at;
     gp_Pnt2d on;
   };
-  using Triangle = std::array<int, 3>;
-  using Side = std::pair<int, int>;  // sorted
-  struct HashOfSide {
-    std::size_t operator()(const Side& side) const {
-      constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15;
-      return (static_cast<std::uint64_t>(side.first) << 32 |
-              static_cast<std::uint32_t>(side.second)) *
-                 kOdd >>
-             16;
-    }
-  };
-  template <class T>
-  using BySide = std::unordered_map<Side, T, HashOfSide>;
+  using Triangle = std::array<std::int32_t, 3>;
+  using Side = std::pair<std::int32_t, std::int32_t>;  // sorted
   struct BorderEdge {
     BRepAdaptor_Curve curve;
     Handle(Geom2d_Curve) on;
@@ -154,9 +151,9 @@ class FaceTriangles {
     return nearest;
   }
 
-  void addBorderSide(int a, int b, BorderSide side) {
+  void addBorderSide(std::int32_t a, std::int32_t b, BorderSide side) {
     if (a > b) std::swap(side.from, side.to);
-    border_[std::minmax(a, b)] = side;
+    border_[edgeKey(a, b)] = side;
   }
 
   // Returns the point at a fraction of a side, on the edge or surface.
@@ -178,7 +175,7 @@ class FaceTriangles {
   }
 
   const BorderSide* borderOf(const Side& side) const {
-    const auto found = border_.find(side);
+    const auto found = border_.find(edgeKey(side.first, side.second));
     return found == border_.end() ? nullptr : &found->second;
   }
 
@@ -206,9 +203,9 @@ class FaceTriangles {
                  [&](double part) { return onSurface(at(side, border, part).on); });
   }
 
-  int halved(const Side& side) {
+  std::int32_t halved(const Side& side) {
     const BorderSide* known = borderOf(side);
-    const int middle = static_cast<int>(nodes_.size());
+    const auto middle = static_cast<std::int32_t>(nodes_.size());
     nodes_.push_back(at(side, known, 0.5));
     if (known != nullptr) {
       const BorderSide border = *known;
@@ -219,42 +216,12 @@ class FaceTriangles {
     return middle;
   }
 
-  // Cuts a triangle at the middles of its sides; -1 if a side is not halved.
-  void cut(Triangle t, std::array<int, 3> middle, int halvedSides,
-           std::vector<Triangle>& to) const {
-    const auto turn = [&] {
-      std::rotate(t.begin(), t.begin() + 1, t.end());
-      std::rotate(middle.begin(), middle.begin() + 1, middle.end());
-    };
-    if (halvedSides == 3) {
-      for (int k = 0; k < 3; ++k) to.push_back({t[k], middle[k], middle[(k + 2) % 3]});
-      to.push_back({middle[0], middle[1], middle[2]});
-      return;
-    }
-    if (halvedSides == 1) {
-      while (middle[0] < 0) turn();
-      to.push_back({t[0], middle[0], t[2]});
-      to.push_back({middle[0], t[1], t[2]});
-      return;
-    }
-    while (middle[2] >= 0) turn();
-    to.push_back({middle[0], t[1], middle[1]});
-    const auto distance = [&](int a, int b) { return (nodes_[a].at - nodes_[b].at).norm(); };
-    if (distance(t[0], middle[1]) < distance(middle[0], t[2])) {
-      to.push_back({t[0], middle[0], middle[1]});
-      to.push_back({t[0], middle[1], t[2]});
-    } else {
-      to.push_back({t[0], middle[0], t[2]});
-      to.push_back({middle[0], middle[1], t[2]});
-    }
-  }
-
   BRepAdaptor_Surface surface_;
   bool isReversed_;
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;
   std::vector<BorderEdge> edges_;
-  BySide<BorderSide> border_;
+  std::unordered_map<std::uint64_t, BorderSide> border_;  // by edgeKey()
 };
 
 // Returns the number of triangles; more than kMaxTriangles if there would be too many.

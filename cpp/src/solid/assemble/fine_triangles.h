@@ -1,11 +1,10 @@
 // Triangles of a body that are as accurate as a limit of their number allows.
 // Units:   mm.
 // Cost:    some microseconds per triangle.
-// Method:  The kernel's mesher makes coarse triangles. Their sides are halved where they are too
-// far
-//          from the curve of an edge, or from the surface of a face. Each triangle is cut at the
-//          middles of its sides. So a plane keeps long triangles, and a cylinder gets long ones.
-//          (The kernel takes a hundred times as long for triangles as fine as these, and it makes
+// Method:  The kernel's mesher makes coarse triangles. A side is halved if it is too far from the
+//          curve of its edge, or from the surface of the face. Each triangle is cut at the middles
+//          of its sides. This is repeated until all sides are near enough; a plane keeps its large
+//          triangles. (If the kernel is to make such fine triangles, it takes minutes, and it makes
 //          none that are finer than the tolerances of edges.)
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

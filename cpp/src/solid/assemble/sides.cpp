@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "solid/assemble/fine_triangles.h"
+
 namespace swept::step {
 namespace {
 
@@ -22,18 +24,18 @@ double sizeOf(const TopoDS_Shape& shape) {
   return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
 }
 
+SweptInterior interiorOf(const TopoDS_Shape& body, double size, const Trajectory& trajectory) {
+  FineTriangles fine = fineTriangles(body, size);
+  return {std::move(fine.mesh), trajectory, fine.accuracy};
+}
+
 }  // namespace
 
 Sides::Sides(const TopoDS_Shape& body, const Trajectory& trajectory)
-    : Sides(fineTriangles(body, sizeOf(body)), sizeOf(body), trajectory) {}
-
-Sides::Sides(FineTriangles body, double size, const Trajectory& trajectory)
-    : size_(size),
-      accuracy_(body.accuracy),
-      interior_(std::move(body.mesh), trajectory, accuracy_) {}
+    : size_(sizeOf(body)), interior_(interiorOf(body, size_, trajectory)) {}
 
 double Sides::distance() const {
-  return std::max(kMinDistance * size_, kTimesAccuracy * accuracy_);
+  return std::max(kMinDistance * size_, kTimesAccuracy * accuracy());
 }
 
 double Sides::detail() const { return kDetail * size_; }

@@ -10,7 +10,6 @@
 #include <gp_Vec.hxx>
 
 #include "solid/assemble/face_samples.h"
-#include "solid/assemble/fine_triangles.h"
 #include "solid/assemble/swept_interior.h"
 
 namespace swept::step {
@@ -30,7 +29,7 @@ class Sides {
   /// mm: how far sample points lie from the face that they judge.
   double distance() const;
   /// mm: how far the triangles may lie from the body. Nearer to its surface, samples tell nothing.
-  double accuracy() const { return accuracy_; }
+  double accuracy() const { return interior_.accuracy(); }
   /// mm: how finely surfaces of the swept volume are triangulated and measured.
   double detail() const;
   const SweptInterior& interior() const { return interior_; }
@@ -47,9 +46,8 @@ class Sides {
   bool isEdge(const gp_Pnt& p, const gp_Vec& a, const gp_Vec& b) const;
 
  private:
-  Sides(FineTriangles body, double size, const Trajectory& trajectory);
   bool contains(const gp_Pnt& p) const { return interior_.contains({p.X(), p.Y(), p.Z()}); }
-  double size_, accuracy_;
+  double size_;
   SweptInterior interior_;
 };
 

@@ -24,6 +24,7 @@ class SweptInterior {
   SweptInterior(TriMesh body, const Trajectory& trajectory, double accuracy);
 
   bool contains(const Eigen::Vector3d& point) const;
+  double accuracy() const { return accuracy_; }
 
  private:
   // Where the body sees a point, at a fraction of a step.

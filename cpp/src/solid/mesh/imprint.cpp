@@ -5,6 +5,7 @@
 #include <cmath>
 #include <queue>
 
+#include "geometry/half_edges.h"
 #include "geometry/triangle_distance.h"
 
 namespace swept::step {
@@ -99,7 +100,7 @@ std::vector<std::int32_t> Imprint::connect(std::int32_t from, std::int32_t to, i
     for (const std::int32_t v : path) isTaken_[v] = 1;
   }
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const auto [place, isNew] = owners_.try_emplace(key(path[i], path[i + 1]), owner);
+    const auto [place, isNew] = owners_.try_emplace(edgeKey(path[i], path[i + 1]), owner);
     if (isNew) continue;
     stoppedBy_ = place->second;
     return {};
@@ -155,7 +156,7 @@ std::vector<std::int32_t> Imprint::shortestPath(std::int32_t from, std::int32_t 
     if (length > best[v].first) continue;
     around(v, [&](Corner h) {
       const std::int32_t w = target(h);
-      if ((isTaken_[w] && w != to) || owners_.count(key(v, w)) > 0) return false;
+      if ((isTaken_[w] && w != to) || owners_.count(edgeKey(v, w)) > 0) return false;
       const double total = length + (on_[w] - on_[v]).norm();
       const auto known = best.find(w);
       if (total > longest || (known != best.end() && known->second.first <= total)) return false;
@@ -204,13 +205,8 @@ std::int32_t Imprint::triangleBeside(std::int32_t from, std::int32_t to) const {
 }
 
 int Imprint::ownerOf(std::int32_t a, std::int32_t b) const {
-  const auto owner = owners_.find(key(a, b));
+  const auto owner = owners_.find(edgeKey(a, b));
   return owner == owners_.end() ? -1 : owner->second;
-}
-
-std::uint64_t Imprint::key(std::int32_t a, std::int32_t b) {
-  return static_cast<std::uint64_t>(static_cast<std::uint32_t>(std::min(a, b))) << 32 |
-         static_cast<std::uint32_t>(std::max(a, b));
 }
 
 template <class Use>

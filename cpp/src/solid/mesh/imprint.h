@@ -51,7 +51,6 @@ class Imprint {
   using Corner = std::int32_t;  // half-edge 3 t + k, from corner k of triangle t
   std::int32_t origin(Corner h) const { return triangles_[h / 3][h % 3]; }
   std::int32_t target(Corner h) const { return origin(nextHalfEdge(h)); }
-  static std::uint64_t key(std::int32_t a, std::int32_t b);
   // Calls use(h) for each half-edge that starts at the vertex, until it returns true.
   template <class Use>
   void around(std::int32_t vertex, const Use& use) const;

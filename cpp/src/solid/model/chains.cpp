@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/half_edges.h"
 #include "solid/carrier/curve.h"
 
 namespace swept::step {
@@ -112,10 +113,7 @@ class Finder {
         std::size_t from = 0;
         for (std::size_t i = 1; i <= chains_[c].halfEdges.size(); ++i) {
           if (!kept_[vertexAt(chains_[c], i)]) continue;
-          const auto [low, high] =
-              std::minmax({vertexAt(chains_[c], from), vertexAt(chains_[c], i)});
-          const std::uint64_t key =
-              (static_cast<std::uint64_t>(low) << 32U) | static_cast<std::uint32_t>(high);
+          const auto key = edgeKey(vertexAt(chains_[c], from), vertexAt(chains_[c], i));
           const auto [it, isNew] = seen.try_emplace(key, c, from);
           if (!isNew) {
             if (keepWithin(c, from)) again = true;
