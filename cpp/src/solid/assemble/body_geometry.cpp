@@ -30,8 +30,9 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Returns the body with closed faces and edges divided. The kernel leaves edges of the parts marked
-// as if their curves on faces had other parameters; then faces count as invalid.
+// Returns the body with closed faces and edges divided. The kernel marks some of the new edges as
+// having other parameters on their faces than in space, so that these faces count as invalid.
+// SameParameter() corrects this.
 TopoDS_Shape withoutClosedParts(const TopoDS_Shape& body) {
   ShapeUpgrade_ShapeDivideClosed faces(body);
   faces.SetNbSplitPoints(1);

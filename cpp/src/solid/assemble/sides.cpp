@@ -14,8 +14,9 @@ namespace {
 
 /// Fraction of the size of the body: how finely its sweep is triangulated and measured.
 constexpr double kDetail = 1.0 / 30000;
-/// How far sample points lie from the face that they judge: at least a fraction of the size of the
-/// body, as faces are not exact; and a multiple of the accuracy of the body's triangles.
+/// How far sample points lie from the face that they judge: at least this fraction of the size of
+/// the body, as fitted surfaces are not exact, and at least this multiple of the distance that the
+/// body's triangles may lie from the body.
 constexpr double kMinDistance = 1e-6, kTimesAccuracy = 8.0 / 3;
 
 double sizeOf(const TopoDS_Shape& shape) {
