@@ -33,67 +33,16 @@ ContactCurves::ContactCurves(const BodyGeometry& body, int index, const StepPath
     case Kind::Cone:
       break;
     case Kind::Torus:
-      curves_.resize(2);
-      scale_ = surface_.radius + surface_.tube;
-      for (const int curve : {0, 1}) middle_[curve] = middleOf(body, index, curve);
-      extent_ = {-M_PI * scale_, M_PI * scale_};
+      torus_.emplace(body, index, path);
+      for (std::size_t i = 0; i < torus_->count(); ++i)
+        curves_.push_back({Course::Whole, 1, torus_->times(static_cast<int>(i))});
+      findChanges();
       return;
     case Kind::Other:
       return;
   }
   extent_ = extentOf(body, index);
   if (!surface_.isPlane()) findCurves();
-}
-
-double ContactCurves::middleOf(const BodyGeometry& body, int index, int curve) const {
-  constexpr int kAngles = 96, kTimes = 16;
-  constexpr double kLarger = 1.05;  // times the face
-  struct Extent {
-    const BodySurface* surface;
-    Eigen::AlignedBox2d range;
-  };
-  std::vector<Extent> extents;
-  for (std::size_t f = 0; f < body.faces.size(); ++f) {
-    if (body.faces[f].surface == index)
-      extents.push_back({&body.faces[f].own, body.parameterRange(static_cast<int>(f))});
-  }
-  const auto isOnFace = [&](double angle) {
-    for (int i = 0; i <= kTimes; ++i) {
-      const Vector3d p = onTorus(curve, angle, static_cast<double>(i) / kTimes);
-      if (!p.allFinite()) continue;
-      for (const Extent& extent : extents) {
-        const Eigen::Vector2d middle = extent.range.center(),
-                              off = extent.surface->parametersOf(p, middle) - middle;
-        if ((2 * off.cwiseAbs().array() <= kLarger * extent.range.sizes().array()).all())
-          return true;
-      }
-    }
-    return false;
-  };
-  int longest = 0, run = 0, end = 0;
-  for (int i = 0; i < 2 * kAngles; ++i) {
-    run = isOnFace(2 * M_PI * i / kAngles) ? 0 : run + 1;
-    if (run <= longest || run > kAngles) continue;
-    longest = run;
-    end = i;
-  }
-  if (longest == 0) return NAN;
-  return 2 * M_PI * (end - (longest - 1) / 2.0) / kAngles + M_PI;
-}
-
-Vector3d ContactCurves::onTorus(int curve, double angle, double s) const {
-  const Moment moment(path_, s);
-  const Vector3d velocity = moment.velocityAt(origin_);
-  const Vector3d away = std::cos(angle) * surface_.x + std::sin(angle) * surface_.y;
-  const Eigen::Vector2d onTube =
-      (curve == 0 ? 1 : -1) *
-      Eigen::Vector2d(velocity.dot(surface_.axis) + surface_.radius * away.dot(across_),
-                      -away.dot(velocity))
-          .normalized();
-  // Of a sphere, a point behind the axis belongs to the opposite angle.
-  const double distance = surface_.radius + surface_.tube * onTube.x();
-  if (surface_.radius == 0 && distance < 0) return Vector3d::Constant(NAN);
-  return origin_ + distance * away + surface_.tube * onTube.y() * surface_.axis;
 }
 
 ContactCurves::Circles ContactCurves::circlesAt(double s) const {
@@ -182,6 +131,11 @@ void ContactCurves::findCurves() {
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
       appendCurves(course, {ends[i], ends[i + 1]}, 0);
   }
+  findChanges();
+}
+
+void ContactCurves::findChanges() {
+  for (const Curve& curve : curves_) changes_.insert(changes_.end(), {curve.s.from, curve.s.to});
   std::sort(changes_.begin(), changes_.end());
   changes_.erase(std::unique(changes_.begin(), changes_.end()), changes_.end());
 }
@@ -197,7 +151,6 @@ void ContactCurves::appendCurves(Course course, Range s, int depth) {
   const bool isSpread = course == Course::Whole && needsSpread(s);
   curves_.push_back({course, 1, s, isSpread});
   if (course == Course::Whole) curves_.push_back({course, -1, s, isSpread});
-  changes_.insert(changes_.end(), {s.from, s.to});
 }
 
 double ContactCurves::quickestChange(Course course, Range s) const {
@@ -239,7 +192,7 @@ Vector3d ContactCurves::onCircles(const Curve& curve, double w, double s) const 
 }
 
 Vector3d ContactCurves::at(int curve, double w, double s) const {
-  if (surface_.kind == Kind::Torus) return onTorus(curve, middle_[curve] + w / scale_, s);
+  if (torus_) return torus_->at(curve, w, s);
   if (!surface_.isPlane()) return onCircles(curves_[curve], w, s);
   const Moment moment(path_, s);
   return origin_ + w * along_ - surface_.axis.dot(moment.linear) / size_ * across_;
@@ -255,8 +208,7 @@ double ContactCurves::positionOnTurn(Course course, const Vector3d& p, double s)
 }
 
 double ContactCurves::positionAt(int curve, const Vector3d& p, double s) const {
-  if (surface_.kind == Kind::Torus)
-    return scale_ * (surface_.parametersOf(p, {middle_[curve], 0}).x() - middle_[curve]);
+  if (torus_) return torus_->positionAt(curve, p, s);
   const Course course = curves_[curve].course;
   if (course != Course::Whole) return positionOnTurn(course, p, s);
   const double along = (p - origin_).dot(along_) / std::cos(surface_.slope);
@@ -270,9 +222,8 @@ double ContactCurves::positionAt(int curve, const Vector3d& p, double s) const {
 int ContactCurves::curveOf(const Vector3d& p, double s) const {
   if (surface_.isPlane()) return count() - 1;
   const auto distance = [&](int curve) {
-    const Vector3d there = surface_.kind == Kind::Torus
-                               ? onTorus(curve, surface_.parametersOf(p, {0, 0}).x(), s)
-                               : at(curve, positionAt(curve, p, s), s);
+    const Vector3d there =
+        torus_ ? torus_->besides(curve, p, s) : at(curve, positionAt(curve, p, s), s);
     return there.allFinite() ? (there - p).norm() : HUGE_VAL;
   };
   int nearest = kNoCurve;
@@ -288,6 +239,7 @@ int ContactCurves::curveOf(const Vector3d& p, double s) const {
 }
 
 Range ContactCurves::extent(int curve) const {
+  if (torus_) return torus_->extent(curve);
   if (curves_[curve].course == Course::Whole) return extent_;
   return {-extent_.length(), extent_.length()};
 }

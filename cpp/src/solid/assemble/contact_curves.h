@@ -11,21 +11,22 @@
 //          h c) (a x angular). On a circle of a cylinder or a cone, m, c and e are the same
 //          everywhere, so r has a known angle to m. On a torus, d e - h c = e R, where R is the
 //          radius from the axis to the tube. So at each angle around the axis, c / e is
-//          known. Here linear is the velocity of the point of the axis at which h is 0.
-//          Circles of a cone for which |m| < |e a.linear| do not touch the envelope. They form one
-//          gap, as |m|^2 is a quadratic function of h. Where it begins and where it ends, the two
-//          curves meet. So there is one curve on each side of the gap, which turns round there.
-//          Which curves there are changes at some times of the step (Curve::s).
+//          known (torus_contacts.h). Here linear is the velocity of the point of the axis at which
+//          h is 0. Circles of a cone for which |m| < |e a.linear| do not touch the envelope. They
+//          form one gap, as |m|^2 is a quadratic function of h. Where it begins and where it ends,
+//          the two curves meet. So there is one curve on each side of the gap, which turns round
+//          there. Which curves there are changes at some times of the step (Curve::s).
 // Source:  Abdel-Malek, Blackmore and Joy 2006.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "solid/assemble/body_geometry.h"
+#include "solid/assemble/torus_contacts.h"
 #include "solid/sweep/contact.h"
 
 namespace swept::step {
@@ -57,6 +58,14 @@ class ContactCurves {
   int curveOf(const Eigen::Vector3d& p, double s) const;
   /// Returns the positions between which the faces of the surface lie.
   Range extent(int curve) const;
+  /// Returns the other half of a curve that runs around an axis, or kNoCurve. Each half begins
+  /// where the other one ends.
+  int otherHalf(int curve) const { return torus_ ? torus_->otherHalf(curve) : kNoCurve; }
+  /// Returns whether a position belongs to the curve: not to its other half.
+  bool doesOwn(int curve, double w) const {
+    const Range own = extent(curve);
+    return otherHalf(curve) == kNoCurve || (w >= own.from && w <= own.to);
+  }
   /// Unit vector along the line or the axis, in coordinates of the body.
   const Eigen::Vector3d& along() const { return along_; }
 
@@ -100,6 +109,8 @@ class ContactCurves {
   // Returns whether there are curves with this course at this time, and whether they are regular.
   bool isRegular(Course course, double s) const;
   void findCurves();
+  // Lists the ends of the times of all curves.
+  void findChanges();
   // Appends the curves of a range of times. Where they change quickly, it is halved: otherwise the
   // surfaces that they sweep would need too many poles.
   void appendCurves(Course course, Range s, int depth);
@@ -109,19 +120,13 @@ class ContactCurves {
   // Returns the position of a point on a curve that turns round.
   double positionOnTurn(Course course, const Eigen::Vector3d& p, double s) const;
   Range extentOf(const BodyGeometry& body, int index) const;
-  // Returns the point of a torus at an angle around the axis.
-  Eigen::Vector3d onTorus(int curve, double angle, double s) const;
-  // Returns the angle opposite to angles at which the curve is never on a face. NaN if it always
-  // is.
-  double middleOf(const BodyGeometry& body, int index, int curve) const;
 
   const BodySurface& surface_;
   const StepPath& path_;
   Eigen::Vector3d origin_;  // of the positions
   Eigen::Vector3d along_, across_;
-  double size_ = 0;                 // of axis x angular
-  double scale_ = 1;                // of a torus: mm per rad
-  std::array<double, 2> middle_{};  // of a torus, by curve: the angle at position 0
+  double size_ = 0;  // of axis x angular
+  std::optional<TorusContacts> torus_;
   std::vector<Curve> curves_;
   std::vector<double> changes_{0, 1};
   Range extent_;

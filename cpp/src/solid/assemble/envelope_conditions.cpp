@@ -70,7 +70,7 @@ std::vector<Condition> EnvelopeConditions::ofGraze(int surface, int curve) const
   const double length = moving_->motions[step_].length();
   const auto isInFace = [moving = moving_, curves, faces, curve, length](const Vector2d& on) {
     const Vector3d p = curves.at(curve, on.x(), on.y() / length);
-    if (!p.allFinite()) return -1.0;
+    if (!p.allFinite() || !curves.doesOwn(curve, on.x())) return -1.0;
     for (const Border& of : faces) {
       const Vector2d q = moving->body.surfaceOf(of.face).parametersOf(p, of.middle);
       if (of.border->Perform(gp_Pnt2d(q.x(), q.y())) != TopAbs_OUT) return 1.0;

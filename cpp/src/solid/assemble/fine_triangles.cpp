@@ -3,8 +3,10 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
@@ -238,27 +240,54 @@ std::size_t refine(std::vector<FaceTriangles>& faces, double accuracy) {
   return count;
 }
 
+// Returns the kernel's triangles, face by face.
+std::vector<FaceTriangles> coarseTriangles(const TopoDS_Shape& shape, double deflection) {
+  const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape, Standard_False).Shape();
+  // The mesher makes no triangles that are finer than these tolerances.
+  ShapeFix_ShapeTolerance().SetTolerance(copy, Precision::Confusion());
+  const ShapeTriangles coarse(copy, deflection, kAngle);
+  std::vector<FaceTriangles> faces;
+  for (const TopoDS_Face& face : coarse.meshedFaces()) faces.emplace_back(face);
+  return faces;
+}
+
+TriMesh meshOf(const std::vector<FaceTriangles>& faces) {
+  TriMesh mesh;
+  for (const FaceTriangles& face : faces) {
+    face.appendTo(mesh);
+    mesh.faceOf.resize(mesh.triangles.size(), static_cast<std::int32_t>(&face - faces.data()));
+  }
+  return mesh;
+}
+
 }  // namespace
 
 FineTriangles fineTriangles(const TopoDS_Shape& body, double size) {
   constexpr double kStep = 4;  // twice as many sides along a curve, and triangles at least
-  const TopoDS_Shape copy = BRepBuilderAPI_Copy(body, Standard_False).Shape();
-  // The mesher makes no triangles that are finer than these tolerances.
-  ShapeFix_ShapeTolerance().SetTolerance(copy, Precision::Confusion());
-  const ShapeTriangles coarse(copy, kStart * size, kAngle);
-  std::vector<FaceTriangles> faces;
-  for (const TopoDS_Face& face : coarse.meshedFaces()) faces.emplace_back(face);
-  FineTriangles fine{{}, kLeast * size};
-  std::size_t count = refine(faces, fine.accuracy);
-  while (fine.accuracy > kHighest * size && 2 * count <= kMaxTriangles) {
+  std::vector<FaceTriangles> faces = coarseTriangles(body, kStart * size);
+  double accuracy = kLeast * size;
+  std::size_t count = refine(faces, accuracy);
+  while (accuracy > kHighest * size && 2 * count <= kMaxTriangles) {
     std::vector<FaceTriangles> finer = faces;
-    count = refine(finer, fine.accuracy / kStep);
+    count = refine(finer, accuracy / kStep);
     if (count > kMaxTriangles) break;
     faces = std::move(finer);
-    fine.accuracy /= kStep;
+    accuracy /= kStep;
   }
-  for (const FaceTriangles& face : faces) face.appendTo(fine.mesh);
-  return fine;
+  return {meshOf(faces), accuracy};
+}
+
+TriMesh trianglesWithin(double distance, const TopoDS_Shape& shape) {
+  std::vector<FaceTriangles> faces =
+      coarseTriangles(shape, std::max(distance, kStart * sizeOf(shape)));
+  refine(faces, distance);
+  return meshOf(faces);
+}
+
+double sizeOf(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, Standard_False);
+  return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
 }
 
 }  // namespace swept::step

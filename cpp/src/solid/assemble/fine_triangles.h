@@ -1,4 +1,4 @@
-// Triangles of a body that are as accurate as a limit of their number allows.
+// Fine triangles of a body, or of the faces of another shape.
 // Units:   mm.
 // Cost:    some microseconds per triangle.
 // Method:  The kernel's mesher makes coarse triangles. A side is halved if it is too far from the
@@ -20,7 +20,14 @@ struct FineTriangles {
   double accuracy;  ///< mm: how far the triangles may lie from the body
 };
 
-/// `size`: of the body, mm.
+/// Makes them as accurate as a limit of their number allows. `size`: of the body, mm.
 FineTriangles fineTriangles(const TopoDS_Shape& body, double size);
+
+/// Returns triangles that lie within `distance` (mm) of the faces of a shape. TriMesh::faceOf
+/// distinguishes the faces, or the parts into which shape_triangles.h cuts them.
+TriMesh trianglesWithin(double distance, const TopoDS_Shape& shape);
+
+/// Returns the diagonal of the box around a shape, mm.
+double sizeOf(const TopoDS_Shape& shape);
 
 }  // namespace swept::step

@@ -44,6 +44,9 @@ void TurningStep::appendGrazes(int surface, int curve) {
     times.push_back(
         {std::max(within.from, contact.s.from - wider), std::min(within.to, contact.s.to + wider)});
   }
+  const bool isHalf = curves.otherHalf(curve) != ContactCurves::kNoCurve;
+  // All around the axis, it may touch no edge.
+  if (isHalf) times.push_back(curves.times(curve));
   std::sort(times.begin(), times.end(),
             [](const Range& a, const Range& b) { return a.from < b.from; });
   std::vector<Range> joined;
@@ -62,7 +65,7 @@ void TurningStep::appendGrazes(int surface, int curve) {
     Range w = curves.extent(curve);
     if (body_.surfaces[surface].kind == BodySurface::Kind::Torus) {
       // Elsewhere the curve may be far outside of the face, and irregular.
-      w = {HUGE_VAL, -HUGE_VAL};
+      if (!isHalf) w = {HUGE_VAL, -HUGE_VAL};
       for (const Contact& contact : contacts_) {
         if (belongs(contact, surface, curve, s)) w = w.with(contact.w.from).with(contact.w.to);
       }
@@ -161,10 +164,15 @@ void TurningStep::appendContactCurves(const Graze& graze, int time) {
 std::vector<Range> TurningStep::partsIn(int f, const Graze& graze, double s) const {
   const ContactCurves& curves = curves_[graze.surface];
   std::vector<double> crossings;
+  if (curves.otherHalf(graze.curve) != ContactCurves::kNoCurve) {
+    const Range half = curves.extent(graze.curve);
+    crossings = {half.from, half.to};
+  }
   for (const Vector3d& p : contactsOnBorder(f, s)) {
     const double w = curves.positionAt(graze.curve, p, s);
     constexpr double kOnCurve = 1e-6;  // mm
-    if ((curves.at(graze.curve, w, s) - p).norm() < kOnCurve) crossings.push_back(w);
+    if ((curves.at(graze.curve, w, s) - p).norm() < kOnCurve && curves.doesOwn(graze.curve, w))
+      crossings.push_back(w);
   }
   std::sort(crossings.begin(), crossings.end());
   std::vector<Range> parts;
@@ -229,14 +237,34 @@ void TurningStep::appendChange(const Graze& graze, const Graze& next) {
         return curves.positionAt(next.curve, curves.at(graze.curve, x, s), s);
       };
       const Vector3d middle = curves.at(graze.curve, w.at(0.5), s);
-      if (!((curves.at(next.curve, onNext(w.at(0.5)), s) - middle).norm() < Precision::Confusion()))
-        continue;
+      const double there = onNext(w.at(0.5));
+      const bool isSame =
+          (curves.at(next.curve, there, s) - middle).norm() < Precision::Confusion();
+      if (!isSame || !curves.doesOwn(next.curve, there)) continue;
       const TopoDS_Edge edge = contactEdge(graze, s, w);
       const auto on = [&](double x) { return Vector2d(onNext(x), motion_.timeOf(s)); };
       if (!edge.IsNull() && addCurveOn(to_.faces[next.face].face, edge, on, {1, 1}, w))
         to_.dividers.push_back({edge, {graze.face, next.face}});
     }
   }
+}
+
+void TurningStep::appendSeam(const Graze& half, const Graze& other) {
+  const ContactCurves& curves = curves_[half.surface];
+  if (other.surface != half.surface || curves.otherHalf(half.curve) != other.curve) return;
+  const Range t = motion_.timeOf(half.s);
+  const auto on = [&](const Graze& graze, bool isEnd) {
+    const Range w = curves.extent(graze.curve);
+    return [w = isEnd ? w.to : w.from](double x) { return Vector2d(w, x); };
+  };
+  const auto exact = [&](double x) {
+    const double s = x / motion_.length();
+    return motion_.at(curves.at(half.curve, curves.extent(half.curve).to, s), s);
+  };
+  const TopoDS_Edge edge = fittedEdge(exact, t);
+  if (!edge.IsNull() && addCurveOn(to_.faces[half.face].face, edge, on(half, true), {1, 1}, t) &&
+      addCurveOn(to_.faces[other.face].face, edge, on(other, false), {1, 1}, t))
+    to_.dividers.push_back({edge, {half.face, other.face}});
 }
 
 void TurningStep::appendRegression(const Graze& graze) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/assemble/sides.h"
 
-#include <BRepBndLib.hxx>
-#include <Bnd_Box.hxx>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,12 +16,6 @@ constexpr double kDetail = 1.0 / 30000;
 /// the body, as fitted surfaces are not exact, and at least this multiple of the distance that the
 /// body's triangles may lie from the body.
 constexpr double kMinDistance = 1e-6, kTimesAccuracy = 8.0 / 3;
-
-double sizeOf(const TopoDS_Shape& shape) {
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, Standard_False);
-  return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
-}
 
 SweptInterior interiorOf(const TopoDS_Shape& body, double size, const Trajectory& trajectory) {
   FineTriangles fine = fineTriangles(body, size);

@@ -63,7 +63,10 @@ bool TurningStep::append(const PosedBody& start, const PosedBody& end,
     for (const int time : {0, 1}) {
       if (graze.reaches(time)) appendContactCurves(graze, time);
     }
-    for (const Graze& next : grazes_) appendChange(graze, next);
+    for (const Graze& next : grazes_) {
+      appendChange(graze, next);
+      appendSeam(graze, next);
+    }
     appendRegression(graze);
   }
   for (std::size_t f = 0; f < body_.faces.size(); ++f) {

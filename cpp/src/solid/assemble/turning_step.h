@@ -127,6 +127,9 @@ class TurningStep {
   // Appends the parts of a contact curve inside faces at which a grazing surface ends and another
   // begins, because the courses of the contact curves change at this time.
   void appendChange(const Graze& graze, const Graze& next);
+  // Appends the curve in which the grazing surface of a half of a contact curve ends and that of
+  // the other half begins.
+  void appendSeam(const Graze& half, const Graze& other);
   // Returns a part of the contact curve of a grazing surface at one time as a curve on it. Null if
   // that fails.
   TopoDS_Edge contactEdge(const Graze& graze, double s, Range w) const;

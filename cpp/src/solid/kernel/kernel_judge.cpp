@@ -17,7 +17,7 @@
 #include "solid/assemble/body_shape.h"
 #include "solid/assemble/exact_sections.h"
 #include "solid/assemble/facet_filling.h"
-#include "solid/assemble/shape_triangles.h"
+#include "solid/assemble/fine_triangles.h"
 #include "solid/assemble/shorten_curves.h"
 #include "solid/assemble/sides.h"
 #include "solid/assemble/solid_of_faces.h"
@@ -200,10 +200,9 @@ class KernelJudge : public Judge {
     Assembly assembly;
     assembly.check = checkShape(readBack_, run, 0.3, 0.5);
     constexpr double kOfDetail = 0.5, kOfTolerance = 0.01;
-    constexpr double kAngle = 0.5;  // rad; the deflection demands more
     const double deflection =
         std::max(kOfDetail * sides_->detail(), kOfTolerance * options.tolerance);
-    triangles = ShapeTriangles(readBack_, deflection, kAngle).of(readBack_);
+    triangles = trianglesWithin(deflection, readBack_);
     for (TopExp_Explorer it(readBack_, TopAbs_FACE); it.More(); it.Next())
       ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];
     return assembly;

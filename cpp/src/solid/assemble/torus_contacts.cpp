@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solid/assemble/torus_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "solid/assemble/zero_curves.h"
+
+namespace swept::step {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Complex = std::complex<double>;
+
+double nearestTo(double middle, double angle) {
+  return angle + 2 * M_PI * std::round((middle - angle) / (2 * M_PI));
+}
+
+// Returns how far a bend is from a range of real angles.
+double distanceTo(Range on, double at, double width) {
+  return std::hypot(width, std::max({0.0, on.from - at, at - on.to}));
+}
+
+// Returns a sphere with another axis: the direction of the velocity of its centre, if this changes
+// little.
+BodySurface turnedToVelocity(BodySurface surface, const StepPath& path) {
+  constexpr int kTimes = 16;
+  constexpr double kMinCosine = 0.3;
+  const auto direction = [&](double s) {
+    return Moment(path, s).velocityAt(surface.origin).normalized();
+  };
+  const Vector3d axis = direction(0.5);
+  for (int i = 0; i <= kTimes; ++i) {
+    if (!(direction(static_cast<double>(i) / kTimes).dot(axis) > kMinCosine)) return surface;
+  }
+  surface.axis = axis;
+  surface.x = axis.unitOrthogonal();
+  surface.y = axis.cross(surface.x);
+  return surface;
+}
+
+}  // namespace
+
+TorusContacts::TorusContacts(const BodyGeometry& body, int index, const StepPath& path)
+    : surface_(body.surfaces[index]), path_(path) {
+  if (surface_.radius == 0) surface_ = turnedToVelocity(surface_, path);
+  across_ = surface_.axis.cross(Moment(path, 0).angular);
+  scale_ = surface_.radius + surface_.tube;
+  for (const double sign : {1.0, -1.0}) {
+    if (const auto on = anglesOnFaces(body, index, sign)) findCurves(sign, *on);
+  }
+}
+
+Vector3d TorusContacts::onTube(double sign, double angle, double s) const {
+  const Vector3d velocity = Moment(path_, s).velocityAt(surface_.origin);
+  const Vector3d away = std::cos(angle) * surface_.x + std::sin(angle) * surface_.y;
+  const Vector2d direction =
+      sign * Vector2d(velocity.dot(surface_.axis) + surface_.radius * away.dot(across_),
+                      -away.dot(velocity))
+                 .normalized();
+  // Of a sphere, a point behind the axis belongs to the opposite angle.
+  const double distance = surface_.radius + surface_.tube * direction.x();
+  if (surface_.radius == 0 && distance < 0) return Vector3d::Constant(NAN);
+  return surface_.origin + distance * away + surface_.tube * direction.y() * surface_.axis;
+}
+
+std::optional<Range> TorusContacts::anglesOnFaces(const BodyGeometry& body, int index,
+                                                  double sign) const {
+  constexpr int kAngles = 96, kTimes = 16;
+  constexpr double kLarger = 1.05;  // times the face
+  struct Extent {
+    const BodySurface* surface;
+    Eigen::AlignedBox2d range;
+  };
+  std::vector<Extent> extents;
+  for (std::size_t f = 0; f < body.faces.size(); ++f) {
+    if (body.faces[f].surface == index)
+      extents.push_back({&body.faces[f].own, body.parameterRange(static_cast<int>(f))});
+  }
+  const auto isOnFace = [&](double angle) {
+    for (int i = 0; i <= kTimes; ++i) {
+      const Vector3d p = onTube(sign, angle, static_cast<double>(i) / kTimes);
+      if (!p.allFinite()) continue;
+      for (const Extent& extent : extents) {
+        const Vector2d middle = extent.range.center(),
+                       off = extent.surface->parametersOf(p, middle) - middle;
+        if ((2 * off.cwiseAbs().array() <= kLarger * extent.range.sizes().array()).all())
+          return true;
+      }
+    }
+    return false;
+  };
+  int longest = 0, run = 0, end = 0;
+  for (int i = 0; i < 2 * kAngles; ++i) {
+    run = isOnFace(2 * M_PI * i / kAngles) ? 0 : run + 1;
+    if (run <= longest) continue;
+    longest = run;
+    end = i;
+  }
+  if (longest == 0) return Range{0, 2 * M_PI};
+  if (longest >= kAngles) return std::nullopt;
+  return Range{2 * M_PI * end / kAngles, 2 * M_PI * (end - longest + 1 + kAngles) / kAngles};
+}
+
+std::array<TorusContacts::Bend, 2> TorusContacts::bendsAt(Range on, double s) const {
+  constexpr double kFarthest = 20;  // rad
+  const Vector3d velocity = Moment(path_, s).velocityAt(surface_.origin);
+  // With z = e^(i angle), the zeros of a + i b are those of first z^2 + 2 along z + last.
+  const double along = velocity.dot(surface_.axis);
+  const Complex i(0, 1);
+  const Complex x(surface_.radius * surface_.x.dot(across_), surface_.x.dot(velocity)),
+      y(surface_.radius * surface_.y.dot(across_), surface_.y.dot(velocity));
+  const Complex first = x - i * y, last = x + i * y;
+  Complex root = std::sqrt(along * along - first * last);
+  if (root.real() * along < 0) root = -root;
+  const Complex larger = -(along + root);
+  std::array<Bend, 2> bends;
+  for (const int k : {0, 1}) {
+    const Complex z = k == 0 ? larger / first : last / larger;
+    const double width = std::abs(std::log(std::abs(z)));
+    bends[k] = {nearestTo(on.at(0.5), std::arg(z)),
+                std::isfinite(width) ? std::min(width, kFarthest) : kFarthest};
+    if (!std::isfinite(bends[k].at)) bends[k].at = on.at(0.5);
+  }
+  return bends;
+}
+
+// Positions on a curve at one time. They grow with the angle, the more where the curve bends.
+class TorusContacts::Measure {
+ public:
+  Measure(Range on, const std::array<Bend, 2>& bends) : on_(on), bends_(bends) {
+    for (const int k : {0, 1}) {
+      // Smooth where a bend jumps: if it leaves the range of angles within pi of the middle, it
+      // returns at the other end; and a very wide one has no certain angle.
+      const double near = (1 + std::cos(bends[k].at - on.at(0.5))) / 2;
+      const double wide = std::sinh(bends[k].width);
+      weights_[k] = 2 * near * near * near / (1 + wide * wide * wide * wide * wide * wide);
+    }
+    ends_ = {sum(on.from), sum(on.to)};
+  }
+
+  // Returns the position as a fraction of the range.
+  double fractionAt(double angle) const { return (sum(angle) - ends_.from) / ends_.length(); }
+  double angleAt(double fraction) const {
+    // Newton's method, and halving where that is slow.
+    constexpr int kRounds = 100;
+    constexpr double kSame = 1e-15;  // rad
+    const double wanted = ends_.at(fraction);
+    Range range{on_.from - M_PI, on_.to + M_PI};
+    double angle = on_.at(std::clamp(fraction, 0.0, 1.0)), before = HUGE_VAL;
+    for (int round = 0; round < kRounds; ++round) {
+      const double off = sum(angle) - wanted;
+      (off > 0 ? range.to : range.from) = angle;
+      double slope = 1;
+      for (const int k : {0, 1})
+        slope += weights_[k] / std::hypot(angle - bends_[k].at, bends_[k].width);
+      double next = angle - off / slope;
+      const bool isSlow = std::abs(off) > before / 2;
+      if (isSlow || !(next > range.from && next < range.to)) next = range.at(0.5);
+      before = isSlow ? HUGE_VAL : std::abs(off);
+      const double moved = std::abs(next - angle);
+      angle = next;
+      if (moved <= kSame * (1 + std::abs(angle))) break;
+    }
+    return angle;
+  }
+
+ private:
+  double sum(double angle) const {
+    double result = angle;
+    for (const int k : {0, 1})
+      result += weights_[k] * std::asinh((angle - bends_[k].at) / bends_[k].width);
+    return result;
+  }
+
+  Range on_, ends_;
+  std::array<Bend, 2> bends_;
+  std::array<double, 2> weights_;
+};
+
+Range TorusContacts::extent(int curve) const {
+  const double half = scale_ * curves_[curve].on.length() / 2;
+  return {-half, half};
+}
+
+Vector3d TorusContacts::at(int curve, double w, double s) const {
+  const Curve& of = curves_[curve];
+  const Measure measure(of.on, bendsAt(of.on, s));
+  return onTube(of.sign, measure.angleAt(w / (scale_ * of.on.length()) + 0.5), s);
+}
+
+double TorusContacts::positionAt(int curve, const Vector3d& p, double s) const {
+  const Curve& of = curves_[curve];
+  const double angle = surface_.parametersOf(p, {of.on.at(0.5), 0}).x();
+  return scale_ * of.on.length() * (Measure(of.on, bendsAt(of.on, s)).fractionAt(angle) - 0.5);
+}
+
+Vector3d TorusContacts::besides(int curve, const Vector3d& p, double s) const {
+  const Curve& of = curves_[curve];
+  const double angle = surface_.parametersOf(p, {of.on.at(0.5), 0}).x();
+  if (of.otherHalf != kNone && (angle < of.on.from || angle > of.on.to))
+    return Vector3d::Constant(NAN);
+  return onTube(of.sign, angle, s);
+}
+
+void TorusContacts::findCurves(double sign, Range on) {
+  constexpr double kNear = 0.004;  // rad: narrower bends would need too many poles
+  constexpr double kBeyond = 0.3;  // rad: how far the surfaces may extend beyond the range
+  const auto isRegular = [&](double s) {
+    for (const Bend& bend : bendsAt(on, s)) {
+      if (bend.width < kNear && bend.at > on.from - kBeyond && bend.at < on.to + kBeyond)
+        return -1.0;
+    }
+    return 1.0;
+  };
+  std::vector<double> ends = zerosOf(isRegular, {0, 1});
+  if (isRegular(0) > 0) ends.insert(ends.begin(), 0);
+  if (isRegular(1) > 0) ends.push_back(1);
+  for (std::size_t i = 0; i + 1 < ends.size(); i += 2) append(sign, on, {ends[i], ends[i + 1]}, 0);
+}
+
+void TorusContacts::append(double sign, Range on, Range s, int depth) {
+  constexpr int kTimes = 64, kMaxDepth = 8;
+  constexpr double kMaxLength = 10;  // times the time in which a bend moves by its distance
+  constexpr double kStep = 1e-4;
+  constexpr double kFar = 1.5;  // rad
+  double quickest = HUGE_VAL;
+  for (int i = 0; i <= kTimes; ++i) {
+    const double t = s.at(static_cast<double>(i) / kTimes);
+    const auto bends = bendsAt(on, t), after = bendsAt(on, t + kStep);
+    for (const Bend& bend : bends) {
+      const double distance = distanceTo(on, bend.at, bend.width);
+      if (distance > kFar) continue;
+      double moved = HUGE_VAL;
+      for (const Bend& other : after) {
+        moved = std::min(moved, std::hypot(std::remainder(other.at - bend.at, 2 * M_PI),
+                                           other.width - bend.width));
+      }
+      quickest = std::min(quickest, distance / moved * kStep);
+    }
+  }
+  if (depth < kMaxDepth && s.length() > kMaxLength * quickest) {
+    append(sign, on, {s.from, s.at(0.5)}, depth + 1);
+    append(sign, on, {s.at(0.5), s.to}, depth + 1);
+    return;
+  }
+  if (on.length() < 2 * M_PI) {
+    curves_.push_back({sign, s, on});
+    return;
+  }
+  const int first = static_cast<int>(curves_.size());
+  curves_.push_back({sign, s, {on.from, on.at(0.5)}, first + 1});
+  curves_.push_back({sign, s, {on.at(0.5), on.to}, first});
+}
+
+}  // namespace swept::step
