@@ -68,8 +68,11 @@ class FaceTriangles {
   /// Halves sides until they are at most `off` away from the face. Stops with a part of the work
   /// if there would be more than `max` triangles.
   void refine(double off, std::size_t max) {
+    // Cutting a triangle with three corners on a line may never end, as sides across it are long.
+    constexpr int kMaxRounds = 30;
     std::vector<Triangle> fine, rest = std::move(triangles_);
-    while (!rest.empty() && fine.size() + rest.size() <= max) {
+    for (int round = 0; round < kMaxRounds && !rest.empty() && fine.size() + rest.size() <= max;
+         ++round) {
       std::unordered_map<std::uint64_t, std::int32_t> middles;
       middles.reserve(2 * rest.size());
       const auto middleOf = [&](std::int32_t a, std::int32_t b) {
