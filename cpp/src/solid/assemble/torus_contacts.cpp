@@ -127,9 +127,17 @@ std::array<TorusContacts::Bend, 2> TorusContacts::bendsAt(Range on, double s) co
   return bends;
 }
 
-// Positions on a curve at one time. They grow with the angle, the more where the curve bends.
+// Positions on a curve at one time, in rad. They grow with the angle, the more where the curve
+// bends.
 class TorusContacts::Measure {
  public:
+  Measure(const Curve& curve, const std::array<Bend, 2>& bends) : Measure(curve.on, bends) {
+    // The ends of halves always have the same positions.
+    if (curve.otherHalf != kNone) {
+      offset_ = positionAt(on_.from);
+      scale_ = on_.length() / positionAt(on_.to);
+    }
+  }
   Measure(Range on, const std::array<Bend, 2>& bends) : on_(on), bends_(bends) {
     for (const int k : {0, 1}) {
       // Smooth where a bend jumps: if it leaves the range of angles within pi of the middle, it
@@ -138,20 +146,22 @@ class TorusContacts::Measure {
       const double wide = std::sinh(bends[k].width);
       weights_[k] = 2 * near * near * near / (1 + wide * wide * wide * wide * wide * wide);
     }
-    ends_ = {sum(on.from), sum(on.to)};
   }
 
-  // Returns the position as a fraction of the range.
-  double fractionAt(double angle) const { return (sum(angle) - ends_.from) / ends_.length(); }
-  double angleAt(double fraction) const {
+  double positionAt(double angle) const {
+    double sum = angle;
+    for (const int k : {0, 1})
+      sum += weights_[k] * std::asinh((angle - bends_[k].at) / bends_[k].width);
+    return scale_ * (sum - offset_);
+  }
+  double angleAt(double position) const {
     // Newton's method, and halving where that is slow.
     constexpr int kRounds = 100;
     constexpr double kSame = 1e-15;  // rad
-    const double wanted = ends_.at(fraction);
     Range range{on_.from - M_PI, on_.to + M_PI};
-    double angle = on_.at(std::clamp(fraction, 0.0, 1.0)), before = HUGE_VAL;
+    double angle = on_.at(0.5), before = HUGE_VAL;
     for (int round = 0; round < kRounds; ++round) {
-      const double off = sum(angle) - wanted;
+      const double off = (positionAt(angle) - position) / scale_;
       (off > 0 ? range.to : range.from) = angle;
       double slope = 1;
       for (const int k : {0, 1})
@@ -168,33 +178,34 @@ class TorusContacts::Measure {
   }
 
  private:
-  double sum(double angle) const {
-    double result = angle;
-    for (const int k : {0, 1})
-      result += weights_[k] * std::asinh((angle - bends_[k].at) / bends_[k].width);
-    return result;
-  }
-
-  Range on_, ends_;
+  Range on_;
+  double offset_ = 0, scale_ = 1;
   std::array<Bend, 2> bends_;
   std::array<double, 2> weights_;
 };
 
 Range TorusContacts::extent(int curve) const {
-  const double half = scale_ * curves_[curve].on.length() / 2;
-  return {-half, half};
+  constexpr int kTimes = 64;
+  const Curve& of = curves_[curve];
+  Range positions{HUGE_VAL, -HUGE_VAL};
+  for (int i = 0; i <= kTimes; ++i) {
+    const Measure measure(of, bendsAt(of.on, of.s.at(static_cast<double>(i) / kTimes)));
+    for (const double end : {of.on.from, of.on.to})
+      positions = positions.with(scale_ * measure.positionAt(end));
+    if (of.otherHalf != kNone) break;
+  }
+  return positions;
 }
 
 Vector3d TorusContacts::at(int curve, double w, double s) const {
   const Curve& of = curves_[curve];
-  const Measure measure(of.on, bendsAt(of.on, s));
-  return onTube(of.sign, measure.angleAt(w / (scale_ * of.on.length()) + 0.5), s);
+  return onTube(of.sign, Measure(of, bendsAt(of.on, s)).angleAt(w / scale_), s);
 }
 
 double TorusContacts::positionAt(int curve, const Vector3d& p, double s) const {
   const Curve& of = curves_[curve];
   const double angle = surface_.parametersOf(p, {of.on.at(0.5), 0}).x();
-  return scale_ * of.on.length() * (Measure(of.on, bendsAt(of.on, s)).fractionAt(angle) - 0.5);
+  return scale_ * Measure(of, bendsAt(of.on, s)).positionAt(angle);
 }
 
 Vector3d TorusContacts::besides(int curve, const Vector3d& p, double s) const {
@@ -223,22 +234,31 @@ void TorusContacts::findCurves(double sign, Range on) {
 
 void TorusContacts::append(double sign, Range on, Range s, int depth) {
   constexpr int kTimes = 64, kMaxDepth = 8;
-  constexpr double kMaxLength = 10;  // times the time in which a bend moves by its distance
+  constexpr double kMaxLength = 10;  // times the time in which positions change much
   constexpr double kStep = 1e-4;
   constexpr double kFar = 1.5;  // rad
+  const bool isClosed = on.length() >= 2 * M_PI;
   double quickest = HUGE_VAL;
   for (int i = 0; i <= kTimes; ++i) {
     const double t = s.at(static_cast<double>(i) / kTimes);
     const auto bends = bendsAt(on, t), after = bendsAt(on, t + kStep);
     for (const Bend& bend : bends) {
-      const double distance = distanceTo(on, bend.at, bend.width);
-      if (distance > kFar) continue;
-      double moved = HUGE_VAL;
-      for (const Bend& other : after) {
-        moved = std::min(moved, std::hypot(std::remainder(other.at - bend.at, 2 * M_PI),
-                                           other.width - bend.width));
+      if (distanceTo(on, bend.at, bend.width) > kFar) continue;
+      // Of the two bends after the time step, the one that this one has become.
+      const auto movedTo = [&](const Bend& other) {
+        return Vector2d(std::remainder(other.at - bend.at, 2 * M_PI), other.width - bend.width)
+            .cwiseAbs()
+            .eval();
+      };
+      const Vector2d first = movedTo(after[0]), second = movedTo(after[1]);
+      const Vector2d moved = (first.norm() < second.norm() ? first : second) / kStep;
+      quickest = std::min({quickest, bend.width / moved.y(), 1 / moved.x()});
+      if (!isClosed) continue;
+      // The ends of the halves have fixed positions.
+      for (const double end : {on.from, on.at(0.5)}) {
+        const double distance = std::hypot(std::remainder(bend.at - end, 2 * M_PI), bend.width);
+        quickest = std::min(quickest, distance / moved.x());
       }
-      quickest = std::min(quickest, distance / moved * kStep);
     }
   }
   if (depth < kMaxDepth && s.length() > kMaxLength * quickest) {
@@ -246,7 +266,7 @@ void TorusContacts::append(double sign, Range on, Range s, int depth) {
     append(sign, on, {s.at(0.5), s.to}, depth + 1);
     return;
   }
-  if (on.length() < 2 * M_PI) {
+  if (!isClosed) {
     curves_.push_back({sign, s, on});
     return;
   }

@@ -62,7 +62,6 @@ class TorusContacts {
   std::optional<Range> anglesOnFaces(const BodyGeometry& body, int index, double sign) const;
   // Returns the bends of both curves. Their angles are within pi of the middle of the range.
   std::array<Bend, 2> bendsAt(Range on, double s) const;
-  // Returns the position on a curve at an angle, as a fraction of its range.
   class Measure;
   // Appends the curves with this sign.
   void findCurves(double sign, Range on);
