@@ -20,6 +20,8 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -250,6 +252,14 @@ void writeRoundedBlock(const std::string& path) {
     if (BRepAdaptor_Curve(edge).GetType() == GeomAbs_Line) rounder.Add(2, edge);
   }
   BRepTools::Write(rounder.Shape(), path.c_str());
+}
+
+void writeBall(double radius, const std::string& path) {
+  BRepTools::Write(BRepPrimAPI_MakeSphere(radius).Shape(), path.c_str());
+}
+
+void writeRing(double radius, double tube, const std::string& path) {
+  BRepTools::Write(BRepPrimAPI_MakeTorus(radius, tube).Shape(), path.c_str());
 }
 
 JudgedSolid judgeSolid(const TopoDS_Shape& shape, std::size_t detailCount, bool withBlock) {

@@ -51,6 +51,10 @@ void writeEllipticRod(double majorRadius, double minorRadius, double length,
 /// a BREP file.
 void writeRoundedBlock(const std::string& path);
 
+/// Writes a ball around the origin, or a ring around the z-axis, as a BREP file.
+void writeBall(double radius, const std::string& path);
+void writeRing(double radius, double tube, const std::string& path);
+
 /// detailCount: largest number of faults that are described. withBlock: also computes blockError
 /// (takes longer).
 JudgedSolid judgeSolid(const TopoDS_Shape& shape, std::size_t detailCount, bool withBlock);

@@ -237,6 +237,28 @@ TEST_F(BodySolid, ConesAndToriOfATurningBody) {
   EXPECT_LE(judged_.faces, 30);
 }
 
+// Contact curves run all around the ball and the ring.
+TEST_F(BodySolid, ABallThatTurnsAboutAPointOutsideOfIt) {
+  const std::string file = folder_.file("ball.brep");
+  writeBall(6, file);
+  readBodyFrom(file);
+  pivot_ = {11, 4, -3};
+  sweep({{0, 0, 0}, {9, 13, 8}}, turned(0.6, {1, 2, 1}));
+  expectExactFaces();
+  EXPECT_GE(kinds_["sphere"], 2);
+  EXPECT_LE(judged_.faces, 6);
+}
+
+TEST_F(BodySolid, ARingThatTurnsWhileItMoves) {
+  const std::string file = folder_.file("ring.brep");
+  writeRing(9, 3, file);
+  readBodyFrom(file);
+  sweep({{0, 0, 0}, {9, 13, 8}}, turned(0.6, {1, 2, 1}));
+  expectExactFaces();
+  EXPECT_GE(kinds_["torus"], 2);
+  EXPECT_LE(judged_.faces, 20);
+}
+
 // The wall is neither a plane nor a surface of revolution: what it grazes becomes facets.
 TEST_F(BodySolid, OtherSurfacesOfATurningBodyLeaveFacets) {
   const std::string file = folder_.file("rod.brep");

@@ -5,8 +5,16 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepLib.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_ElementarySurface.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
+#include <ShapeFix_ShapeTolerance.hxx>
 #include <ShapeUpgrade_ShapeDivideClosed.hxx>
 #include <ShapeUpgrade_ShapeDivideClosedEdges.hxx>
 #include <TopExp.hxx>
@@ -30,6 +38,63 @@ using Eigen::Vector3d;
 
 namespace {
 
+// Returns the line of constant parameter of a surface along which a curve in its parameters runs,
+// with the parameter of this curve. Null if it does not run along one, or not at the same speed.
+Handle(Geom_Curve)
+    isoAlong(const Handle(Geom_Surface) & surface, const Geom2d_Curve& on, Range range) {
+  constexpr double kSame = 1e-12;
+  const gp_Pnt2d from = on.Value(range.from), middle = on.Value(range.at(0.5)),
+                 to = on.Value(range.to);
+  for (const bool isU : {true, false}) {
+    const auto fixed = [&](const gp_Pnt2d& p) { return isU ? p.X() : p.Y(); };
+    const auto running = [&](const gp_Pnt2d& p) { return isU ? p.Y() : p.X(); };
+    const double shift = running(from) - range.from;
+    const bool isAlong = std::abs(fixed(middle) - fixed(from)) < kSame &&
+                         std::abs(fixed(to) - fixed(from)) < kSame &&
+                         std::abs(running(middle) - range.at(0.5) - shift) < kSame &&
+                         std::abs(running(to) - range.to - shift) < kSame;
+    if (!isAlong) continue;
+    Handle(Geom_Curve) iso = isU ? surface->UIso(fixed(from)) : surface->VIso(fixed(from));
+    if (const auto part = Handle(Geom_TrimmedCurve)::DownCast(iso)) iso = part->BasisCurve();
+    if (const auto circle = Handle(Geom_Circle)::DownCast(iso)) {
+      circle->Rotate(circle->Circ().Axis(), shift);
+      return iso;
+    }
+    if (const auto line = Handle(Geom_Line)::DownCast(iso)) {
+      line->Translate(shift * gp_Vec(line->Lin().Direction()));
+      return iso;
+    }
+  }
+  return {};
+}
+
+// The kernel only approximates the curves in which it divides closed faces, with errors of 5e-6 mm.
+// Gives these edges their exact curves.
+void makeDividingEdgesExact(const TopoDS_Shape& body) {
+  constexpr double kNear = 1e-4;  // mm
+  for (TopExp_Explorer face(body, TopAbs_FACE); face.More(); face.Next()) {
+    Handle(Geom_Surface) surface = BRep_Tool::Surface(TopoDS::Face(face.Current()));
+    if (const auto part = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface))
+      surface = part->BasisSurface();
+    if (!surface->IsKind(STANDARD_TYPE(Geom_ElementarySurface))) continue;
+    for (TopExp_Explorer it(face.Current(), TopAbs_EDGE); it.More(); it.Next()) {
+      const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+      Range range;
+      const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+      if (Handle(Geom_BSplineCurve)::DownCast(curve).IsNull()) continue;
+      double from, to;
+      const Handle(Geom2d_Curve) on =
+          BRep_Tool::CurveOnSurface(edge, TopoDS::Face(face.Current()), from, to);
+      if (on.IsNull()) continue;
+      const Handle(Geom_Curve) exact = isoAlong(surface, *on, range);
+      const double middle = range.at(0.5);
+      if (exact.IsNull() || exact->Value(middle).Distance(curve->Value(middle)) > kNear) continue;
+      BRep_Builder().UpdateEdge(edge, exact, Precision::Confusion());
+      ShapeFix_ShapeTolerance().SetTolerance(edge, Precision::Confusion(), TopAbs_EDGE);
+    }
+  }
+}
+
 // Returns the body with closed faces and edges divided. The kernel marks some of the new edges as
 // having other parameters on their faces than in space, so that these faces count as invalid.
 // SameParameter() corrects this.
@@ -40,6 +105,7 @@ TopoDS_Shape withoutClosedParts(const TopoDS_Shape& body) {
   ShapeUpgrade_ShapeDivideClosedEdges edges(open);
   edges.SetNbSplitPoints(1);
   const TopoDS_Shape divided = edges.Perform() ? edges.Result() : open;
+  makeDividingEdgesExact(divided);
   BRepLib::SameParameter(divided, Precision::Confusion());
   return divided;
 }

@@ -157,7 +157,7 @@ class TorusContacts::Measure {
   double angleAt(double position) const {
     // Newton's method, and halving where that is slow.
     constexpr int kRounds = 100;
-    constexpr double kSame = 1e-15;  // rad
+    constexpr double kSame = 1e-14;  // rad; rounding prevents smaller steps
     Range range{on_.from - M_PI, on_.to + M_PI};
     double angle = on_.at(0.5), before = HUGE_VAL;
     for (int round = 0; round < kRounds; ++round) {
@@ -167,12 +167,11 @@ class TorusContacts::Measure {
       for (const int k : {0, 1})
         slope += weights_[k] / std::hypot(angle - bends_[k].at, bends_[k].width);
       double next = angle - off / slope;
+      if (std::abs(next - angle) <= kSame * (1 + std::abs(angle))) return next;
       const bool isSlow = std::abs(off) > before / 2;
       if (isSlow || !(next > range.from && next < range.to)) next = range.at(0.5);
       before = isSlow ? HUGE_VAL : std::abs(off);
-      const double moved = std::abs(next - angle);
       angle = next;
-      if (moved <= kSame * (1 + std::abs(angle))) break;
     }
     return angle;
   }
