@@ -158,6 +158,10 @@ BodySurface surfaceOfFace(const TopoDS_Face& face) {
 
 }  // namespace
 
+double angleNear(double other, double angle) {
+  return angle + 2 * M_PI * std::round((other - angle) / (2 * M_PI));
+}
+
 Vector3d BodyEdge::at(double u) const { return vectorOf(curve->Value(u).XYZ()); }
 
 Vector3d BodyEdge::tangent(double u) const {
@@ -203,14 +207,11 @@ double BodySurface::distanceTo(const Vector3d& p) const {
 Vector2d BodySurface::parametersOf(const Vector3d& p, const Vector2d& near) const {
   const Vector3d off = p - origin;
   if (isPlane()) return {off.dot(x), off.dot(y)};
-  const auto nearest = [](double angle, double to) {
-    return angle + 2 * M_PI * std::round((to - angle) / (2 * M_PI));
-  };
-  const double around = nearest(std::atan2(off.dot(y), off.dot(x)), near.x());
+  const double around = angleNear(near.x(), std::atan2(off.dot(y), off.dot(x)));
   const double along = off.dot(axis);
   if (kind != Kind::Torus) return {around, along / std::cos(slope)};
   const Vector3d away = std::cos(around) * x + std::sin(around) * y;
-  return {around, nearest(std::atan2(along, off.dot(away) - radius), near.y())};
+  return {around, angleNear(near.y(), std::atan2(along, off.dot(away) - radius))};
 }
 
 Vector3d BodySurface::footOfOrigin() const {

@@ -23,6 +23,9 @@
 
 namespace swept::step {
 
+/// Returns the angle plus whole turns, within pi of another one.
+double angleNear(double other, double angle);
+
 struct BodyEdge {
   TopoDS_Edge shape;
   int from = 0, to = 0;  ///< vertices

@@ -14,10 +14,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Complex = std::complex<double>;
 
-double nearestTo(double middle, double angle) {
-  return angle + 2 * M_PI * std::round((middle - angle) / (2 * M_PI));
-}
-
 // Returns how far a bend is from a range of real angles.
 double distanceTo(Range on, double at, double width) {
   return std::hypot(width, std::max({0.0, on.from - at, at - on.to}));
@@ -120,7 +116,7 @@ std::array<TorusContacts::Bend, 2> TorusContacts::bendsAt(Range on, double s) co
   for (const int k : {0, 1}) {
     const Complex z = k == 0 ? larger / first : last / larger;
     const double width = std::abs(std::log(std::abs(z)));
-    bends[k] = {nearestTo(on.at(0.5), std::arg(z)),
+    bends[k] = {angleNear(on.at(0.5), std::arg(z)),
                 std::isfinite(width) ? std::min(width, kFarthest) : kFarthest};
     if (!std::isfinite(bends[k].at)) bends[k].at = on.at(0.5);
   }
