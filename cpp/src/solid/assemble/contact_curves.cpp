@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solid/assemble/zero_curves.h"
+#include "solid/assemble/regular_times.h"
 
 namespace swept::step {
 
@@ -124,12 +124,13 @@ bool ContactCurves::isRegular(Course course, double s) const {
 
 void ContactCurves::findCurves() {
   for (const Course course : {Course::Whole, Course::Above, Course::Below}) {
-    const auto sign = [&](double s) { return isRegular(course, s) ? 1.0 : -1.0; };
-    std::vector<double> ends = zerosOf(sign, {0, 1});
-    if (sign(0) > 0) ends.insert(ends.begin(), 0);
-    if (sign(1) > 0) ends.push_back(1);
-    for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
-      appendCurves(course, {ends[i], ends[i + 1]}, 0);
+    const auto times = regularTimes([&](double s) { return isRegular(course, s); },
+                                    [&](Range s) { return quickestChange(course, s); });
+    for (const Range& s : times) {
+      const bool isSpread = course == Course::Whole && needsSpread(s);
+      curves_.push_back({course, 1, s, isSpread});
+      if (course == Course::Whole) curves_.push_back({course, -1, s, isSpread});
+    }
   }
   findChanges();
 }
@@ -138,19 +139,6 @@ void ContactCurves::findChanges() {
   for (const Curve& curve : curves_) changes_.insert(changes_.end(), {curve.s.from, curve.s.to});
   std::sort(changes_.begin(), changes_.end());
   changes_.erase(std::unique(changes_.begin(), changes_.end()), changes_.end());
-}
-
-void ContactCurves::appendCurves(Course course, Range s, int depth) {
-  constexpr double kMaxLength = 10;  // times the time in which the curves change
-  constexpr int kMaxDepth = 8;
-  if (depth < kMaxDepth && s.length() > kMaxLength * quickestChange(course, s)) {
-    appendCurves(course, {s.from, s.at(0.5)}, depth + 1);
-    appendCurves(course, {s.at(0.5), s.to}, depth + 1);
-    return;
-  }
-  const bool isSpread = course == Course::Whole && needsSpread(s);
-  curves_.push_back({course, 1, s, isSpread});
-  if (course == Course::Whole) curves_.push_back({course, -1, s, isSpread});
 }
 
 double ContactCurves::quickestChange(Course course, Range s) const {
@@ -223,7 +211,7 @@ int ContactCurves::curveOf(const Vector3d& p, double s) const {
   if (surface_.isPlane()) return count() - 1;
   const auto distance = [&](int curve) {
     const Vector3d there =
-        torus_ ? torus_->besides(curve, p, s) : at(curve, positionAt(curve, p, s), s);
+        torus_ ? torus_->atAngleOf(curve, p, s) : at(curve, positionAt(curve, p, s), s);
     return there.allFinite() ? (there - p).norm() : HUGE_VAL;
   };
   int nearest = kNoCurve;

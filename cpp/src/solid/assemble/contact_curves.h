@@ -63,8 +63,9 @@ class ContactCurves {
   int otherHalf(int curve) const { return torus_ ? torus_->otherHalf(curve) : kNoCurve; }
   /// Returns whether a position belongs to the curve: not to its other half.
   bool doesOwn(int curve, double w) const {
+    if (otherHalf(curve) == kNoCurve) return true;
     const Range own = extent(curve);
-    return otherHalf(curve) == kNoCurve || (w >= own.from && w <= own.to);
+    return w >= own.from && w <= own.to;
   }
   /// Unit vector along the line or the axis, in coordinates of the body.
   const Eigen::Vector3d& along() const { return along_; }
@@ -111,9 +112,6 @@ class ContactCurves {
   void findCurves();
   // Lists the ends of the times of all curves.
   void findChanges();
-  // Appends the curves of a range of times. Where they change quickly, it is halved: otherwise the
-  // surfaces that they sweep would need too many poles.
-  void appendCurves(Course course, Range s, int depth);
   // Returns the shortest time in which curves change much.
   double quickestChange(Course course, Range s) const;
   Eigen::Vector3d onCircles(const Curve& curve, double w, double s) const;

@@ -50,9 +50,9 @@ Condition EnvelopeConditions::ofSheet(std::size_t edge) const {
   };
 }
 
-std::vector<Condition> EnvelopeConditions::ofGraze(int surface, int curve) const {
+std::vector<Condition> EnvelopeConditions::ofGraze(int surface, const ContactCurves& curves,
+                                                   int curve) const {
   const BodyGeometry& body = moving_->body;
-  const ContactCurves curves(body, surface, path());
   struct Border {
     int face;
     Vector2d middle;  // of the parameters of the face

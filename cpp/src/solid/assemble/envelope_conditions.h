@@ -45,8 +45,9 @@ class EnvelopeConditions {
   Condition ofCap(const TopoDS_Face& posed, int time) const;
   /// The parameters are that of the edge, and time.
   Condition ofSheet(std::size_t edge) const;
-  /// The parameters are the position on the contact curve, and time.
-  std::vector<Condition> ofGraze(int surface, int curve) const;
+  /// The parameters are the position on the contact curve, and time. `curves`: of the surface in
+  /// this step.
+  std::vector<Condition> ofGraze(int surface, const ContactCurves& curves, int curve) const;
 
  private:
   const StepPath& path() const { return moving_->paths[step_]; }

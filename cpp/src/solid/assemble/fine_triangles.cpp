@@ -3,10 +3,8 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
@@ -30,6 +28,7 @@
 #include "geometry/half_edges.h"
 #include "solid/assemble/kernel_geometry.h"
 #include "solid/assemble/shape_triangles.h"
+#include "solid/assemble/solid_of_faces.h"
 
 namespace swept::step {
 namespace {
@@ -280,17 +279,11 @@ FineTriangles fineTriangles(const TopoDS_Shape& body, double size) {
   return {meshOf(faces), accuracy};
 }
 
-TriMesh trianglesWithin(double distance, const TopoDS_Shape& shape) {
+TriMesh trianglesWithin(const TopoDS_Shape& shape, double distance) {
   std::vector<FaceTriangles> faces =
       coarseTriangles(shape, std::max(distance, kStart * sizeOf(shape)));
   refine(faces, distance);
   return meshOf(faces);
-}
-
-double sizeOf(const TopoDS_Shape& shape) {
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, Standard_False);
-  return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
 }
 
 }  // namespace swept::step

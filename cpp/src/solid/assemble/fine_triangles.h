@@ -23,11 +23,9 @@ struct FineTriangles {
 /// Makes them as accurate as a limit of their number allows. `size`: of the body, mm.
 FineTriangles fineTriangles(const TopoDS_Shape& body, double size);
 
-/// Returns triangles that lie within `distance` (mm) of the faces of a shape. TriMesh::faceOf
-/// distinguishes the faces, or the parts into which shape_triangles.h cuts them.
-TriMesh trianglesWithin(double distance, const TopoDS_Shape& shape);
-
-/// Returns the diagonal of the box around a shape, mm.
-double sizeOf(const TopoDS_Shape& shape);
+/// Returns triangles that lie within `distance` (mm) of the faces of a shape, or farther away where
+/// a face would have more than a million of them. TriMesh::faceOf distinguishes the faces, or the
+/// parts into which shape_triangles.h cuts them.
+TriMesh trianglesWithin(const TopoDS_Shape& shape, double distance);
 
 }  // namespace swept::step

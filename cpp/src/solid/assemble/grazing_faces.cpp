@@ -84,7 +84,7 @@ void TurningStep::appendGrazes(int surface, int curve) {
     added.face =
         BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), w.from, w.to, motion_.timeOf(s.from),
                                 motion_.timeOf(s.to), Precision::Confusion());
-    added.conditions = conditions_.ofGraze(surface, curve);
+    added.conditions = conditions_.ofGraze(surface, curves, curve);
   }
 }
 
@@ -253,17 +253,16 @@ void TurningStep::appendSeam(const Graze& half, const Graze& other) {
   const ContactCurves& curves = curves_[half.surface];
   if (other.surface != half.surface || curves.otherHalf(half.curve) != other.curve) return;
   const Range t = motion_.timeOf(half.s);
-  const auto on = [&](const Graze& graze, bool isEnd) {
-    const Range w = curves.extent(graze.curve);
-    return [w = isEnd ? w.to : w.from](double x) { return Vector2d(w, x); };
-  };
-  const auto exact = [&](double x) {
-    const double s = x / motion_.length();
-    return motion_.at(curves.at(half.curve, curves.extent(half.curve).to, s), s);
-  };
-  const TopoDS_Edge edge = fittedEdge(exact, t);
-  if (!edge.IsNull() && addCurveOn(to_.faces[half.face].face, edge, on(half, true), {1, 1}, t) &&
-      addCurveOn(to_.faces[other.face].face, edge, on(other, false), {1, 1}, t))
+  const double end = curves.extent(half.curve).to, start = curves.extent(other.curve).from;
+  const TopoDS_Edge edge = fittedEdge(
+      [&](double x) {
+        const double s = x / motion_.length();
+        return motion_.at(curves.at(half.curve, end, s), s);
+      },
+      t);
+  const auto at = [](double w) { return [w](double x) { return Vector2d(w, x); }; };
+  if (!edge.IsNull() && addCurveOn(to_.faces[half.face].face, edge, at(end), {1, 1}, t) &&
+      addCurveOn(to_.faces[other.face].face, edge, at(start), {1, 1}, t))
     to_.dividers.push_back({edge, {half.face, other.face}});
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "solid/assemble/fine_triangles.h"
+#include "solid/assemble/solid_of_faces.h"
 
 namespace swept::step {
 namespace {

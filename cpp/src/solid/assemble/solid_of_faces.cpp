@@ -3,10 +3,12 @@
 
 #include <BOPTools_AlgoTools.hxx>
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom2d_Curve.hxx>
 #include <GeomLib_IsPlanarSurface.hxx>
@@ -157,6 +159,12 @@ int countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
   TopTools_IndexedMapOfShape found;
   TopExp::MapShapes(shape, kind, found);
   return found.Extent();
+}
+
+double sizeOf(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, Standard_False);
+  return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
 }
 
 TopoDS_Compound compoundOf(const std::vector<TopoDS_Face>& faces) {

@@ -14,6 +14,9 @@ namespace swept::step {
 /// Returns how many different faces, edges or other parts of a kind a shape has.
 int countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind);
 
+/// Returns the diagonal of the box around a shape, mm.
+double sizeOf(const TopoDS_Shape& shape);
+
 TopoDS_Compound compoundOf(const std::vector<TopoDS_Face>& faces);
 
 /// Returns a solid, or a compound of one solid for each outer shell. Unless `areJoined`, adjacent

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <complex>
 
-#include "solid/assemble/zero_curves.h"
+#include "solid/assemble/regular_times.h"
 
 namespace swept::step {
 namespace {
@@ -14,10 +14,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Complex = std::complex<double>;
 
-// Returns how far a bend is from a range of real angles.
-double distanceTo(Range on, double at, double width) {
-  return std::hypot(width, std::max({0.0, on.from - at, at - on.to}));
-}
+bool isAllAround(Range angles) { return angles.length() >= 2 * M_PI; }
 
 // Returns a sphere with another axis: the direction of the velocity of its centre, if this changes
 // little.
@@ -127,21 +124,18 @@ std::array<TorusContacts::Bend, 2> TorusContacts::bendsAt(Range on, double s) co
 // bends.
 class TorusContacts::Measure {
  public:
-  Measure(const Curve& curve, const std::array<Bend, 2>& bends) : Measure(curve.on, bends) {
-    // The ends of halves always have the same positions.
-    if (curve.otherHalf != kNone) {
-      offset_ = positionAt(on_.from);
-      scale_ = on_.length() / positionAt(on_.to);
-    }
-  }
-  Measure(Range on, const std::array<Bend, 2>& bends) : on_(on), bends_(bends) {
+  Measure(const Curve& curve, const std::array<Bend, 2>& bends) : on_(curve.on), bends_(bends) {
     for (const int k : {0, 1}) {
       // Smooth where a bend jumps: if it leaves the range of angles within pi of the middle, it
       // returns at the other end; and a very wide one has no certain angle.
-      const double near = (1 + std::cos(bends[k].at - on.at(0.5))) / 2;
+      const double near = (1 + std::cos(bends[k].at - on_.at(0.5))) / 2;
       const double wide = std::sinh(bends[k].width);
       weights_[k] = 2 * near * near * near / (1 + wide * wide * wide * wide * wide * wide);
     }
+    if (curve.otherHalf == kNone) return;
+    // The ends of halves always have the same positions.
+    offset_ = positionAt(on_.from);
+    scale_ = on_.length() / positionAt(on_.to);
   }
 
   double positionAt(double angle) const {
@@ -182,12 +176,12 @@ class TorusContacts::Measure {
 Range TorusContacts::extent(int curve) const {
   constexpr int kTimes = 64;
   const Curve& of = curves_[curve];
+  if (of.otherHalf != kNone) return {0, scale_ * of.on.length()};
   Range positions{HUGE_VAL, -HUGE_VAL};
   for (int i = 0; i <= kTimes; ++i) {
     const Measure measure(of, bendsAt(of.on, of.s.at(static_cast<double>(i) / kTimes)));
     for (const double end : {of.on.from, of.on.to})
       positions = positions.with(scale_ * measure.positionAt(end));
-    if (of.otherHalf != kNone) break;
   }
   return positions;
 }
@@ -203,7 +197,7 @@ double TorusContacts::positionAt(int curve, const Vector3d& p, double s) const {
   return scale_ * Measure(of, bendsAt(of.on, s)).positionAt(angle);
 }
 
-Vector3d TorusContacts::besides(int curve, const Vector3d& p, double s) const {
+Vector3d TorusContacts::atAngleOf(int curve, const Vector3d& p, double s) const {
   const Curve& of = curves_[curve];
   const double angle = surface_.parametersOf(p, {of.on.at(0.5), 0}).x();
   if (of.otherHalf != kNone && (angle < of.on.from || angle > of.on.to))
@@ -215,30 +209,33 @@ void TorusContacts::findCurves(double sign, Range on) {
   constexpr double kNear = 0.004;  // rad: narrower bends would need too many poles
   constexpr double kBeyond = 0.3;  // rad: how far the surfaces may extend beyond the range
   const auto isRegular = [&](double s) {
-    for (const Bend& bend : bendsAt(on, s)) {
-      if (bend.width < kNear && bend.at > on.from - kBeyond && bend.at < on.to + kBeyond)
-        return -1.0;
-    }
-    return 1.0;
+    const auto bends = bendsAt(on, s);
+    return std::none_of(bends.begin(), bends.end(), [&](const Bend& bend) {
+      return bend.width < kNear && bend.at > on.from - kBeyond && bend.at < on.to + kBeyond;
+    });
   };
-  std::vector<double> ends = zerosOf(isRegular, {0, 1});
-  if (isRegular(0) > 0) ends.insert(ends.begin(), 0);
-  if (isRegular(1) > 0) ends.push_back(1);
-  for (std::size_t i = 0; i + 1 < ends.size(); i += 2) append(sign, on, {ends[i], ends[i + 1]}, 0);
+  for (const Range& s : regularTimes(isRegular, [&](Range r) { return quickestChange(on, r); })) {
+    const int next = static_cast<int>(curves_.size());
+    if (isAllAround(on)) {
+      curves_.push_back({sign, s, {on.from, on.at(0.5)}, next + 1});
+      curves_.push_back({sign, s, {on.at(0.5), on.to}, next});
+    } else {
+      curves_.push_back({sign, s, on});
+    }
+  }
 }
 
-void TorusContacts::append(double sign, Range on, Range s, int depth) {
-  constexpr int kTimes = 64, kMaxDepth = 8;
-  constexpr double kMaxLength = 10;  // times the time in which positions change much
+double TorusContacts::quickestChange(Range on, Range s) const {
+  constexpr int kTimes = 64;
   constexpr double kStep = 1e-4;
   constexpr double kFar = 1.5;  // rad
-  const bool isClosed = on.length() >= 2 * M_PI;
   double quickest = HUGE_VAL;
   for (int i = 0; i <= kTimes; ++i) {
     const double t = s.at(static_cast<double>(i) / kTimes);
     const auto bends = bendsAt(on, t), after = bendsAt(on, t + kStep);
     for (const Bend& bend : bends) {
-      if (distanceTo(on, bend.at, bend.width) > kFar) continue;
+      const double beyond = std::max({0.0, on.from - bend.at, bend.at - on.to});
+      if (std::hypot(bend.width, beyond) > kFar) continue;
       // Of the two bends after the time step, the one that this one has become.
       const auto movedTo = [&](const Bend& other) {
         return Vector2d(std::remainder(other.at - bend.at, 2 * M_PI), other.width - bend.width)
@@ -248,7 +245,7 @@ void TorusContacts::append(double sign, Range on, Range s, int depth) {
       const Vector2d first = movedTo(after[0]), second = movedTo(after[1]);
       const Vector2d moved = (first.norm() < second.norm() ? first : second) / kStep;
       quickest = std::min({quickest, bend.width / moved.y(), 1 / moved.x()});
-      if (!isClosed) continue;
+      if (!isAllAround(on)) continue;
       // The ends of the halves have fixed positions.
       for (const double end : {on.from, on.at(0.5)}) {
         const double distance = std::hypot(std::remainder(bend.at - end, 2 * M_PI), bend.width);
@@ -256,18 +253,7 @@ void TorusContacts::append(double sign, Range on, Range s, int depth) {
       }
     }
   }
-  if (depth < kMaxDepth && s.length() > kMaxLength * quickest) {
-    append(sign, on, {s.from, s.at(0.5)}, depth + 1);
-    append(sign, on, {s.at(0.5), s.to}, depth + 1);
-    return;
-  }
-  if (!isClosed) {
-    curves_.push_back({sign, s, on});
-    return;
-  }
-  const int first = static_cast<int>(curves_.size());
-  curves_.push_back({sign, s, {on.from, on.at(0.5)}, first + 1});
-  curves_.push_back({sign, s, {on.at(0.5), on.to}, first});
+  return quickest;
 }
 
 }  // namespace swept::step

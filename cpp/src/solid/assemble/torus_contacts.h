@@ -43,7 +43,7 @@ class TorusContacts {
   double positionAt(int curve, const Eigen::Vector3d& p, double s) const;
   /// Returns the point of a curve at the angle of p around the axis; not finite if it belongs to
   /// the other half.
-  Eigen::Vector3d besides(int curve, const Eigen::Vector3d& p, double s) const;
+  Eigen::Vector3d atAngleOf(int curve, const Eigen::Vector3d& p, double s) const;
 
  private:
   struct Curve {
@@ -65,9 +65,8 @@ class TorusContacts {
   class Measure;
   // Appends the curves with this sign.
   void findCurves(double sign, Range on);
-  // Where bends move quickly, the range of times is halved: otherwise the surfaces that the curves
-  // sweep would need too many poles.
-  void append(double sign, Range on, Range s, int depth);
+  // Returns the shortest time in which positions change much.
+  double quickestChange(Range on, Range s) const;
 
   BodySurface surface_;
   const StepPath& path_;

@@ -202,7 +202,7 @@ class KernelJudge : public Judge {
     constexpr double kOfDetail = 0.5, kOfTolerance = 0.01;
     const double deflection =
         std::max(kOfDetail * sides_->detail(), kOfTolerance * options.tolerance);
-    triangles = trianglesWithin(deflection, readBack_);
+    triangles = trianglesWithin(readBack_, deflection);
     for (TopExp_Explorer it(readBack_, TopAbs_FACE); it.More(); it.Next())
       ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];
     return assembly;
