@@ -100,7 +100,7 @@ std::optional<Range> TorusContacts::anglesOnFaces(const BodyGeometry& body, int 
 std::array<TorusContacts::Bend, 2> TorusContacts::bendsAt(Range on, double s) const {
   constexpr double kFarthest = 20;  // rad
   const Vector3d velocity = Moment(path_, s).velocityAt(surface_.origin);
-  // With z = e^(i angle), the zeros of a + i b are those of first z^2 + 2 along z + last.
+  // With z = e^(i angle), the zeros of p + i q are those of first z^2 + 2 along z + last.
   const double along = velocity.dot(surface_.axis);
   const Complex i(0, 1);
   const Complex x(surface_.radius * surface_.x.dot(across_), surface_.x.dot(velocity)),

@@ -2,9 +2,10 @@
 // around the axis, a circle of the torus (the tube) has two of them. So there are two curves.
 // Units:   mm, rad; s is the fraction of the motion step.
 // Cost:    O(1) for a point.
-// Method:  contact_curves.h gives the point of the tube at an angle: it has the direction of a
-//          vector (a, b), whose coordinates are trigonometric functions of the angle. At a complex
-//          zero of a + i b, the curve bends: it runs around the tube within a range of angles that
+// Method:  In the terms of contact_curves.h, the normal at a point of contact is c r + e a, where
+//          (c, e) has the direction of (p, -q) or the opposite one, p = a.linear + R r.(a x
+//          angular), and q = r.linear. Both are trigonometric functions of the angle. At a complex
+//          zero of p + i q, the curve bends: it runs around the tube within a range of angles that
 //          is as wide as the zero is far from the real angles. There,
 //          asinh((angle - zero) / width) is a better measure than the angle. So positions on the
 //          curve are sums of the angle and of such terms. At some moments a zero is real. Then a
