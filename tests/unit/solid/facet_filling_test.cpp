@@ -57,12 +57,17 @@ class FacetFilling : public testing::Test {
          test::makeCylinder(kRodRadius, 0, whole, 90));
     EXPECT_EQ(count(GeomAbs_Cylinder), 1);
   }
-  // Fills the holes of faces of a body at rest, whose mesh is given.
-  void fill(const TopoDS_Shape& body, const std::vector<TopoDS_Face>& faces, const TriMesh& mesh) {
+  // Fills the holes of faces of a body at rest, whose mesh is given. `wrong`: points of faces that
+  // turn out to be wrong afterwards.
+  void fill(const TopoDS_Shape& body, const std::vector<TopoDS_Face>& faces, const TriMesh& mesh,
+            const std::vector<Eigen::Vector3d>& wrong = {}) {
     Trajectory rest;
     rest.poses.resize(2);
     const Sides sides(body, rest);
-    filled_ = fillWithFacets(faces, buildHalfEdges(mesh, run_), sides, kTolerance, {}, run_);
+    const HalfEdgeMesh whole = buildHalfEdges(mesh, run_);
+    FacetFiller filler(faces, whole, sides, kTolerance, run_);
+    filled_ = filler.fill({});
+    if (!wrong.empty()) filled_ = filler.fill(wrong);
     ASSERT_FALSE(filled_.shape.IsNull());
     judged_ = test::judgeSolid(filled_.shape, 9, true);
     EXPECT_TRUE(judged_.valid);
@@ -121,6 +126,14 @@ TEST_F(FacetFilling, FacetsReplaceTheWallOfACylinder) {
   EXPECT_NEAR(judged_.volume, 25 * M_PI * 3, 0.02 * 25 * M_PI * 3);
 }
 
+TEST_F(FacetFilling, FacesThatTurnOutToBeWrongAreReplaced) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(12, 8, 5).Shape();
+  fill(box, facesOf(box), test::makeBox({0, 0, 0}, {12, 8, 5}), {{12, 4, 2}, {6, 4, 5}});
+  EXPECT_GT(filled_.planes, 0);
+  EXPECT_EQ(judged_.faces, 4 + filled_.planes);
+  EXPECT_NEAR(judged_.volume, 480, 1e-9);
+}
+
 TEST_F(FacetFilling, FacesWithLittleOfTheAreaAreNotWorthIt) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(12, 8, 5).Shape();
   std::vector<TopoDS_Face> faces = facesOf(box);
@@ -129,8 +142,8 @@ TEST_F(FacetFilling, FacesWithLittleOfTheAreaAreNotWorthIt) {
   rest.poses.resize(2);
   const Sides sides(box, rest);
   const HalfEdgeMesh mesh = buildHalfEdges(test::makeBox({0, 0, 0}, {12, 8, 5}), run_);
-  EXPECT_TRUE(fillWithFacets(faces, mesh, sides, kTolerance, {}, run_).shape.IsNull());
-  EXPECT_TRUE(fillWithFacets({}, mesh, sides, kTolerance, {}, run_).shape.IsNull());
+  EXPECT_TRUE(FacetFiller(faces, mesh, sides, kTolerance, run_).fill({}).shape.IsNull());
+  EXPECT_TRUE(FacetFiller({}, mesh, sides, kTolerance, run_).fill({}).shape.IsNull());
 }
 
 TEST_F(FacetFilling, ConesContinueHalfAWall) {

@@ -15,10 +15,13 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "geometry/nearest_triangle.h"
 #include "geometry/self_intersections.h"
 #include "solid/assemble/exact_sections.h"
+#include "solid/assemble/fine_triangles.h"
 #include "solid/assemble/hole_facets.h"
 #include "solid/assemble/hole_triangles.h"
 #include "solid/assemble/open_edges.h"
@@ -37,8 +40,18 @@ constexpr double kThinFirst = 0.05;
 /// If the faces have less of the area than this, the solid is not worth the time.
 constexpr double kMinFraction = 0.4;
 
-// Returns triangles of all faces, TriMesh::faceOf with their indices.
-TriMesh trianglesOf(const std::vector<TopoDS_Face>& faces, double deflection) {
+// Returns copies that share no edges with the faces.
+std::vector<TopoDS_Face> copyOf(const std::vector<TopoDS_Face>& faces) {
+  const TopoDS_Shape copy = BRepBuilderAPI_Copy(compoundOf(faces), Standard_False).Shape();
+  std::vector<TopoDS_Face> result;
+  for (TopExp_Explorer it(copy, TopAbs_FACE); it.More(); it.Next())
+    result.push_back(TopoDS::Face(it.Current()));
+  return result;
+}
+
+// Returns triangles that fit together at the edges of the faces, TriMesh::faceOf with their
+// indices.
+TriMesh joinedTriangles(const std::vector<TopoDS_Face>& faces, double deflection) {
   constexpr double kAngle = 0.9;  // rad; the deflection demands more
   const TopoDS_Compound all = compoundOf(faces);
   return ShapeTriangles(all, deflection, kAngle).of(all);
@@ -53,8 +66,8 @@ void markInvalid(const std::vector<TopoDS_Face>& faces, std::vector<char>& isMar
   }
 }
 
-// Marks faces whose triangles intersect those of another face, or of itself.
-void markIntersecting(const TriMesh& apart, RunContext& run, std::vector<char>& isMarked) {
+// Returns the pairs of faces whose triangles intersect, and pairs of a face with itself.
+std::set<std::pair<int, int>> intersecting(const TriMesh& apart, RunContext& run) {
   // The triangles of adjacent faces have corners at the same places.
   TriMesh mesh;
   std::vector<std::int32_t> faceOf;
@@ -72,15 +85,17 @@ void markIntersecting(const TriMesh& apart, RunContext& run, std::vector<char>& 
     mesh.triangles.push_back(corners);
     faceOf.push_back(apart.faceOf[t]);
   }
+  std::set<std::pair<int, int>> pairs;
   for (const auto& [a, b] : findSelfIntersections(mesh, {}, run).pairs)
-    isMarked[faceOf[a]] = isMarked[faceOf[b]] = 1;
+    pairs.insert(std::minmax(faceOf[a], faceOf[b]));
+  return pairs;
 }
 
 // Marks the faces that are nearest to some points.
 void markAt(const std::vector<Vector3d>& points, const std::vector<TopoDS_Face>& faces,
             double deflection, std::vector<char>& isMarked) {
   if (points.empty() || faces.empty()) return;
-  const TriMesh triangles = trianglesOf(faces, deflection);
+  const TriMesh triangles = trianglesWithin(compoundOf(faces), deflection);
   const NearestTriangle nearest(triangles.vertices, triangles.triangles);
   for (const Vector3d& p : points) {
     std::int32_t triangle = -1;
@@ -91,106 +106,152 @@ void markAt(const std::vector<Vector3d>& points, const std::vector<TopoDS_Face>&
 
 }  // namespace
 
-FilledSolid fillWithFacets(std::vector<TopoDS_Face> faces, const HalfEdgeMesh& mesh,
-                           const Sides& sides, double tolerance, const std::vector<Vector3d>& wrong,
-                           RunContext& run) {
-  if (faces.empty()) return {};
-  const HalfEdgeMesh thin = thinOpenGround(asOpenGround(mesh), kThinFirst * tolerance, run).mesh;
-  const NearestTriangle original(mesh.points, mesh.triangles, NearestTriangle::Walks::Yes);
-  const double deflection = kSagFraction * tolerance;
-  // The caller's faces stay as they are: sections become exact in place. Pieces of one face are not
-  // joined: the kernel (7.6) does not end if it joins some of those with open edges.
-  const TopoDS_Shape own = BRepBuilderAPI_Copy(compoundOf(faces), Standard_False).Shape();
-  faces.clear();
-  for (TopExp_Explorer it(own, TopAbs_FACE); it.More(); it.Next())
-    faces.push_back(TopoDS::Face(it.Current()));
-  std::map<const void*, int> finer;  // by face
-  std::map<const void*, double> areas;
-  const auto areaOf = [&](const TopoDS_Face& face) {
-    const auto [at, isNew] = areas.try_emplace(face.TShape().get(), 0);
+// The faces, and what was learned about them.
+class FacetFiller::State {
+ public:
+  State(const std::vector<TopoDS_Face>& given, const HalfEdgeMesh& mesh, const Sides& sides,
+        double tolerance, RunContext& run)
+      : mesh_(mesh),
+        sides_(sides),
+        tolerance_(tolerance),
+        run_(run),
+        thin_(thinOpenGround(asOpenGround(mesh), kThinFirst * tolerance, run).mesh),
+        original_(mesh.points, mesh.triangles, NearestTriangle::Walks::Yes) {
+    // Pieces of one face are not joined: the kernel (7.6) does not end if it joins some of those
+    // with open edges.
+    faces_ = copyOf(given);
+  }
+
+  FilledSolid fill(const std::vector<Vector3d>& wrong) {
+    isWrong_.assign(faces_.size(), 0);
+    if (round_ == 0) markInvalid(faces_, isWrong_);
+    markAt(wrong, faces_, deflection(), isWrong_);
+    leaveOut();
+    while (!faces_.empty()) {
+      run_.checkpoint(Phase::Export);
+      ++round_;
+      std::vector<OpenEdge> open = openEdgesOf(faces_);
+      isWrong_.assign(faces_.size(), 0);
+      std::vector<double> areas;
+      for (const TopoDS_Face& face : faces_) areas.push_back(areaOf(face));
+      const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
+      if (sum < kMinFraction * mesh_.area) break;
+      HoleTriangles triangles(areas, std::move(open), more_, thin_, tolerance_);
+      triangles.cut(isWrong_);
+      if (leaveOut()) continue;
+      if (mend(triangles, triangles.simplify(original_, run_))) continue;
+      const HoleFacets facets(faces_, triangles);
+      if (!facets.failed().empty()) {
+        mend(triangles, {facets.failed()});
+        continue;
+      }
+      const Wrong wrongFacets = test(triangles, facets);
+      if (mend(triangles, wrongFacets)) continue;
+      if (!wrongFacets.empty()) break;
+      return solidOfAll(facets);
+    }
+    return {};
+  }
+
+ private:
+  using Wrong = std::vector<HoleTriangles::Sides>;  // for each wrong triangle
+
+  double deflection() const { return kSagFraction * tolerance_; }
+
+  double areaOf(const TopoDS_Face& face) {
+    const auto [at, isNew] = areas_.try_emplace(face.TShape().get(), 0);
     if (isNew) {
       GProp_GProps properties;
       BRepGProp::SurfaceProperties(face, properties);
       at->second = std::abs(properties.Mass());
     }
     return at->second;
-  };
-  const auto finerOf = [&](const TopoDS_Face& face) -> int& { return finer[face.TShape().get()]; };
-  // Returns whether faces were left out.
-  const auto leaveOut = [&](std::vector<char> isWrong) {
-    for (char& mark : isWrong) mark = mark == 0;
-    return keepMarked(faces, isWrong);
-  };
-  // Does so only if more vertices on their edges have not helped.
-  const auto refineOrLeaveOut = [&](std::vector<char> isWrong) {
-    constexpr int kMaxFiner = 2;
-    bool isChanged = false;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      if (!isWrong[f] || finerOf(faces[f]) == kMaxFiner) continue;
-      ++finerOf(faces[f]);
-      isWrong[f] = 0;
-      isChanged = true;
+  }
+
+  // Leaves out the faces that are wrong. Returns whether there were any.
+  bool leaveOut() {
+    std::vector<char> isKept;
+    for (const char isWrong : isWrong_) isKept.push_back(isWrong == 0);
+    return keepMarked(faces_, isKept);
+  }
+
+  // Halves the sides of wrong triangles that are parts of open edges. Where they are too short, or
+  // after many rounds, the smallest of the faces there is left out. Also leaves out faces that are
+  // wrong. Returns whether anything was changed.
+  bool mend(const HoleTriangles& triangles, const Wrong& wrong) {
+    constexpr int kHalvingRounds = 30;
+    bool isHalved = false;
+    for (const HoleTriangles::Sides& sides : wrong) {
+      bool canHalve = false;
+      for (const HoleTriangles::Side& side : sides) {
+        if (round_ > kHalvingRounds || !triangles.canHalve(side)) continue;
+        more_[triangles.open()[side.edge].edge.TShape().get()].insert((side.from + side.to) / 2);
+        canHalve = isHalved = true;
+      }
+      if (!canHalve && !sides.empty()) isWrong_[triangles.smallestFaceAt(sides)] = 1;
     }
-    return leaveOut(isWrong) || isChanged;
-  };
-  std::vector<char> isWrong(faces.size(), 0);
-  markInvalid(faces, isWrong);
-  markAt(wrong, faces, deflection, isWrong);
-  leaveOut(isWrong);
-  while (!faces.empty()) {
-    run.checkpoint(Phase::Export);
-    std::vector<OpenEdge> open = openEdgesOf(faces);
-    std::vector<int> finerByFace;
-    std::vector<double> areaByFace;
-    for (const TopoDS_Face& face : faces) {
-      finerByFace.push_back(finerOf(face));
-      areaByFace.push_back(areaOf(face));
-    }
-    if (std::accumulate(areaByFace.begin(), areaByFace.end(), 0.0) < kMinFraction * mesh.area)
-      break;
-    HoleTriangles triangles(areaByFace, finerByFace, std::move(open), thin, tolerance);
-    isWrong.assign(faces.size(), 0);
-    triangles.cut(isWrong);
-    if (leaveOut(isWrong)) continue;
-    triangles.simplify(original, run, isWrong);
-    if (refineOrLeaveOut(isWrong)) continue;
-    const HoleFacets facets(faces, triangles);
-    if (facets.failed()) {
-      isWrong[*facets.failed()] = 1;
-      refineOrLeaveOut(isWrong);
-      continue;
-    }
+    return leaveOut() || isHalved;
+  }
+
+  // Marks wrong faces, and returns the wrong facets.
+  Wrong test(const HoleTriangles& triangles, const HoleFacets& facets) {
     const std::vector<TopoDS_Face> all = facets.all();
-    const TriMesh fine = trianglesOf(all, deflection);
     std::vector<char> isMarked(all.size(), 0);
     for (const FarFoot& foot :
-         feetBeyond(fine, mesh.points, sides.interior(), sides.detail(), tolerance))
+         feetBeyond(trianglesWithin(compoundOf(all), deflection()), mesh_.points, sides_.interior(),
+                    sides_.detail(), tolerance_))
       isMarked[foot.face] = 1;
-    markIntersecting(fine, run, isMarked);
     markInvalid(all, isMarked);
+    for (const auto& [a, b] : intersecting(joinedTriangles(all, deflection()), run_)) {
+      // Facets are less exact than faces.
+      const bool isOfFaces = b < static_cast<int>(faces_.size());
+      isMarked[isOfFaces && areaOf(faces_[a]) < areaOf(faces_[b]) ? a : b] = 1;
+    }
+    Wrong wrong;
     for (std::size_t f = 0; f < all.size(); ++f) {
       if (!isMarked[f]) continue;
-      if (f < faces.size()) {
-        isWrong[f] = 1;
+      if (f < faces_.size()) {
+        isWrong_[f] = 1;
       } else {
-        triangles.markAround(facets.triangleOf(f - faces.size()), isWrong);
+        wrong.push_back(triangles.sidesAround(facets.triangleOf(f - faces_.size())));
       }
     }
-    if (leaveOut(isWrong)) continue;
-    if (std::find(isMarked.begin(), isMarked.end(), 1) != isMarked.end()) return {};
-    const std::vector<TopoDS_Face> closed = facets.joinedAll();
+    return wrong;
+  }
+
+  FilledSolid solidOfAll(const HoleFacets& facets) const {
+    // Repairs change the faces in place, and so do exact sections.
+    const std::vector<TopoDS_Face> closed = copyOf(facets.joinedAll());
     FilledSolid result;
-    for (std::size_t f = faces.size(); f < closed.size(); ++f) {
+    for (std::size_t f = faces_.size(); f < closed.size(); ++f) {
       const auto kind = BRepAdaptor_Surface(closed[f], Standard_False).GetType();
       ++(kind == GeomAbs_Plane ? result.planes : result.cones);
     }
-    result.shape = solidOf(closed, mesh.volume, mesh.area * tolerance, true);
+    result.shape = solidOf(closed, mesh_.volume, mesh_.area * tolerance_, true);
     // Facets are exact already.
     makeSectionsExact(
-        compoundOf({closed.begin(), closed.begin() + static_cast<std::ptrdiff_t>(faces.size())}));
+        compoundOf({closed.begin(), closed.begin() + static_cast<std::ptrdiff_t>(faces_.size())}));
     return result;
   }
-  return {};
-}
+
+  const HalfEdgeMesh& mesh_;
+  const Sides& sides_;
+  const double tolerance_;
+  RunContext& run_;
+  const HalfEdgeMesh thin_;
+  const NearestTriangle original_;
+  std::vector<TopoDS_Face> faces_;
+  std::vector<char> isWrong_;  // by face
+  HoleTriangles::MorePoints more_;
+  std::map<const void*, double> areas_;
+  int round_ = 0;
+};
+
+FacetFiller::FacetFiller(const std::vector<TopoDS_Face>& faces, const HalfEdgeMesh& mesh,
+                           const Sides& sides, double tolerance, RunContext& run)
+    : state_(std::make_unique<State>(faces, mesh, sides, tolerance, run)) {}
+FacetFiller::~FacetFiller() = default;
+
+FilledSolid FacetFiller::fill(const std::vector<Vector3d>& wrong) { return state_->fill(wrong); }
 
 }  // namespace swept::step

@@ -45,8 +45,11 @@ constexpr std::size_t kMaxTriangles = 1200000;
 // The triangles of one face.
 class FaceTriangles {
  public:
-  explicit FaceTriangles(const TopoDS_Face& face)
-      : surface_(face, Standard_False), isReversed_(face.Orientation() == TopAbs_REVERSED) {
+  explicit FaceTriangles(const FaceWithTriangles& meshed)
+      : surface_(meshed.face, Standard_False),
+        isReversed_(meshed.face.Orientation() == TopAbs_REVERSED),
+        number_(meshed.number) {
+    const TopoDS_Face& face = meshed.face;
     TopLoc_Location location;
     const Handle(Poly_Triangulation) part = BRep_Tool::Triangulation(face, location);
     if (part.IsNull() || !part->HasUVNodes()) return;
@@ -105,6 +108,7 @@ class FaceTriangles {
     for (const Triangle& t : triangles_)
       mesh.triangles.push_back(
           {first + t[0], first + t[isReversed_ ? 2 : 1], first + t[isReversed_ ? 1 : 2]});
+    mesh.faceOf.resize(mesh.triangles.size(), number_);
   }
 
  private:
@@ -222,6 +226,7 @@ class FaceTriangles {
 
   BRepAdaptor_Surface surface_;
   bool isReversed_;
+  int number_;  // of the face in the shape
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;
   std::vector<BorderEdge> edges_;
@@ -249,16 +254,13 @@ std::vector<FaceTriangles> coarseTriangles(const TopoDS_Shape& shape, double def
   ShapeFix_ShapeTolerance().SetTolerance(copy, Precision::Confusion());
   const ShapeTriangles coarse(copy, deflection, kAngle);
   std::vector<FaceTriangles> faces;
-  for (const TopoDS_Face& face : coarse.meshedFaces()) faces.emplace_back(face);
+  for (const FaceWithTriangles& face : coarse.facesWithTriangles()) faces.emplace_back(face);
   return faces;
 }
 
 TriMesh meshOf(const std::vector<FaceTriangles>& faces) {
   TriMesh mesh;
-  for (const FaceTriangles& face : faces) {
-    face.appendTo(mesh);
-    mesh.faceOf.resize(mesh.triangles.size(), static_cast<std::int32_t>(&face - faces.data()));
-  }
+  for (const FaceTriangles& face : faces) face.appendTo(mesh);
   return mesh;
 }
 

@@ -24,8 +24,8 @@ struct FineTriangles {
 FineTriangles fineTriangles(const TopoDS_Shape& body, double size);
 
 /// Returns triangles that lie within `distance` (mm) of the faces of a shape, or farther away where
-/// a face would have more than a million of them. TriMesh::faceOf distinguishes the faces, or the
-/// parts into which shape_triangles.h cuts them.
+/// a face would have more than a million of them. TriMesh::faceOf has the indices of the faces in
+/// the shape, from 0.
 TriMesh trianglesWithin(const TopoDS_Shape& shape, double distance);
 
 }  // namespace swept::step

@@ -85,8 +85,7 @@ void coverCurve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
 
 HoleFacets::HoleFacets(const std::vector<TopoDS_Face>& faces, const HoleTriangles& triangles)
     : faces_(faces), points_(triangles.points()) {
-  for (std::size_t e = 0; e < triangles.open().size(); ++e)
-    cutEdge(triangles.open()[e], triangles.paths()[e]);
+  for (std::size_t e = 0; e < triangles.open().size(); ++e) cutEdge(e, triangles);
   for (const TopoDS_Face& face : faces) cut_.push_back(withCutEdges(face));
   for (const std::int32_t t : triangles.inHoles()) {
     triangle_ = t;
@@ -117,7 +116,9 @@ std::vector<TopoDS_Face> HoleFacets::joinedAll() const {
   return result;
 }
 
-void HoleFacets::cutEdge(const OpenEdge& open, const EdgePath& path) {
+void HoleFacets::cutEdge(std::size_t edge, const HoleTriangles& triangles) {
+  const OpenEdge& open = triangles.open()[edge];
+  const EdgePath& path = triangles.paths()[edge];
   const BRep_Builder builder;
   if (!BRep_Tool::SameRange(open.edge) || !BRep_Tool::SameParameter(open.edge))
     BRepLib::SameParameter(open.edge, Precision::Confusion());
@@ -137,7 +138,7 @@ void HoleFacets::cutEdge(const OpenEdge& open, const EdgePath& path) {
       builder.Add(part, vertexOf(to).Oriented(TopAbs_REVERSED));
       builder.Range(part, path.params[i], path.params[i + 1]);
     }
-    borders_[std::minmax(from, to)] = {part, from, open.face};
+    borders_[std::minmax(from, to)] = {part, from, {edge, path.params[i], path.params[i + 1]}};
     parts.Append(part);
   }
   parts_.Bind(open.edge, parts);
@@ -212,7 +213,7 @@ void HoleFacets::appendFacet(Corners corners) {
   if (isCurved(corners)) {
     const Handle(Geom_Surface) cone = coneOver(sides[0], c);
     if (cone.IsNull()) {
-      failed_ = borders_.at(std::minmax(corners[0], corners[1])).face;
+      failed_.insert(borders_.at(std::minmax(corners[0], corners[1])).side);
       return;
     }
     face = coneFace(cone, sides, vertexOf(corners[2]));

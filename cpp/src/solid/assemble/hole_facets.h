@@ -17,7 +17,6 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,8 +29,8 @@ class HoleFacets {
   /// Keeps references to its arguments.
   HoleFacets(const std::vector<TopoDS_Face>& faces, const HoleTriangles& triangles);
 
-  /// Returns the face at whose edge no facet can be made; nothing if all facets were made.
-  std::optional<int> failed() const { return failed_; }
+  /// Returns the sides at which no facet can be made.
+  const HoleTriangles::Sides& failed() const { return failed_; }
   /// Returns the faces, in their order, and then the facets.
   std::vector<TopoDS_Face> all() const;
   /// Returns the triangle of the facet with this index.
@@ -45,10 +44,10 @@ class HoleFacets {
   struct Border {
     TopoDS_Edge edge;
     std::int32_t from;  // its first vertex
-    int face;
+    HoleTriangles::Side side;
   };
 
-  void cutEdge(const OpenEdge& open, const EdgePath& path);
+  void cutEdge(std::size_t edge, const HoleTriangles& triangles);
   TopoDS_Face withCutEdges(const TopoDS_Face& face) const;
   TopoDS_Vertex vertexOf(std::int32_t v);
   // Returns the edge from a to b, oriented in this direction.
@@ -72,7 +71,7 @@ class HoleFacets {
   std::vector<TopoDS_Face> cut_, facets_;
   std::vector<std::int32_t> triangleOf_;
   std::int32_t triangle_ = -1;  // whose facets are being made
-  std::optional<int> failed_;
+  HoleTriangles::Sides failed_;
 };
 
 }  // namespace swept::step

@@ -21,6 +21,9 @@ using Eigen::Vector3d;
 /// Fractions of the tolerance: how far triangles may be off the mesh, and within which a vertex of
 /// the mesh becomes a vertex of an edge.
 constexpr double kFacetFraction = 0.8, kSnapFraction = 0.1;
+/// Fraction of the tolerance: the halves of longer sides have ends that are far enough from each
+/// other for vertices of the mesh between them.
+constexpr double kMinSide = 4 * kSnapFraction;
 constexpr double kMaxTurn = 0.9;     // rad, between points of a curved edge
 constexpr double kMinHeight = 1e-5;  // mm, of a triangle
 
@@ -28,11 +31,11 @@ std::array<double, 3> placeOf(const Vector3d& p) { return {p.x(), p.y(), p.z()};
 
 }  // namespace
 
-HoleTriangles::HoleTriangles(const std::vector<double>& areas, const std::vector<int>& finer,
-                             std::vector<OpenEdge> open, const HalfEdgeMesh& mesh, double tolerance)
-    : finer_(finer),
-      area_(areas),
+HoleTriangles::HoleTriangles(const std::vector<double>& areas, std::vector<OpenEdge> open,
+                             const MorePoints& more, const HalfEdgeMesh& mesh, double tolerance)
+    : area_(areas),
       open_(std::move(open)),
+      more_(more),
       tolerance_(tolerance),
       imprint_(mesh, kSnapFraction * tolerance),
       points_(open_.size()),
@@ -46,17 +49,18 @@ void HoleTriangles::cut(std::vector<char>& isWrong) {
     if (isWrong[open_[i].face] || connect(i)) continue;
     std::set<int> both{open_[i].face};
     if (imprint_.stoppedBy() >= 0) both.insert(open_[imprint_.stoppedBy()].face);
-    markSmallest(both, isWrong);
+    isWrong[smallestOf(both)] = 1;
   }
   if (std::count(isWrong.begin(), isWrong.end(), 1) == 0) findHoles(isWrong);
 }
 
 bool HoleTriangles::insertPoints(std::size_t edge) {
   const BRepAdaptor_Curve curve(open_[edge].edge);
-  // Half as long segments have a quarter of the sag.
-  const double length = std::pow(0.5, finer_[open_[edge].face]);
-  const GCPnts_TangentialDeflection points(curve, kMaxTurn * length,
-                                           kSagFraction * tolerance_ * length * length);
+  const GCPnts_TangentialDeflection points(curve, kMaxTurn, kSagFraction * tolerance_);
+  std::set<double> params;
+  for (int i = 1; i <= points.NbPoints(); ++i) params.insert(points.Parameter(i));
+  const auto more = more_.find(open_[edge].edge.TShape().get());
+  if (more != more_.end()) params.insert(more->second.begin(), more->second.end());
   const auto insertEnd = [&](const TopoDS_Vertex& vertex) -> std::optional<std::int32_t> {
     const void* key = vertex.TShape().get();
     const auto known = ends_.find(key);
@@ -65,16 +69,15 @@ bool HoleTriangles::insertPoints(std::size_t edge) {
     if (inserted) ends_[key] = *inserted;
     return inserted;
   };
-  const int last = points.NbPoints();
-  for (int i = 1; i <= last; ++i) {
-    const auto vertex = i == 1      ? insertEnd(TopExp::FirstVertex(open_[edge].edge))
-                        : i == last ? insertEnd(TopExp::LastVertex(open_[edge].edge))
-                                    : imprint_.insert(vectorOf(points.Value(i).XYZ()));
+  for (const double t : params) {
+    const auto vertex = t == *params.begin()    ? insertEnd(TopExp::FirstVertex(open_[edge].edge))
+                        : t == *params.rbegin() ? insertEnd(TopExp::LastVertex(open_[edge].edge))
+                                                : imprint_.insert(vectorOf(curve.Value(t).XYZ()));
     if (!vertex) return false;
-    paths_[edge].params.push_back(points.Parameter(i));
+    paths_[edge].params.push_back(t);
     points_[edge].push_back(*vertex);
   }
-  return last > 1;
+  return params.size() > 1;
 }
 
 bool HoleTriangles::connect(std::size_t edge) {
@@ -106,10 +109,11 @@ void HoleTriangles::forSteps(const Use& use) const {
     const std::vector<std::int32_t>& vertices = paths_[e].vertices;
     for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
       const std::int32_t a = vertices[i], b = vertices[i + 1];
+      const Side side{e, paths_[e].params[i], paths_[e].params[i + 1]};
       if (open_[e].isForward) {
-        use(open_[e].face, a, b);
+        use(side, a, b);
       } else {
-        use(open_[e].face, b, a);
+        use(side, b, a);
       }
     }
   }
@@ -118,21 +122,21 @@ void HoleTriangles::forSteps(const Use& use) const {
 void HoleTriangles::findHoles(std::vector<char>& isWrong) {
   const std::vector<std::int32_t> region = imprint_.regions();
   std::vector<double> votes(1 + *std::max_element(region.begin(), region.end()), 0.0);
-  forSteps([&](int, std::int32_t from, std::int32_t to) {
+  forSteps([&](const Side&, std::int32_t from, std::int32_t to) {
     const double length = imprint_.distance(from, to);
     votes[region[imprint_.triangleBeside(from, to)]] -= length;
     votes[region[imprint_.triangleBeside(to, from)]] += length;
   });
   isHole_.clear();
   for (const std::int32_t r : region) isHole_.push_back(votes[r] > 0);
-  forSteps([&](int face, std::int32_t from, std::int32_t to) {
+  forSteps([&](const Side& side, std::int32_t from, std::int32_t to) {
     if (isHole_[imprint_.triangleBeside(from, to)] || !isHole_[imprint_.triangleBeside(to, from)])
-      isWrong[face] = 1;
+      isWrong[faceAt(side)] = 1;
   });
 }
 
-void HoleTriangles::simplify(const NearestTriangle& original, RunContext& run,
-                             std::vector<char>& isWrong) {
+std::vector<HoleTriangles::Sides> HoleTriangles::simplify(const NearestTriangle& original,
+                                                          RunContext& run) {
   const std::vector<Vector3d> before = imprint_.points();
   Decimated start = asOpenGround(buildHalfEdges({before, imprint_.triangles()}, run));
   Patch covered;
@@ -146,8 +150,17 @@ void HoleTriangles::simplify(const NearestTriangle& original, RunContext& run,
     for (const std::int32_t v : points) start.fixed[v] = 1;
   }
   takeSimplified(decimate(std::move(start), kFacetFraction * tolerance_, original, run), before);
-  markNeedles(isWrong);
-  markIntersecting(run, isWrong);
+  std::vector<Sides> wrong;
+  TriMesh triangles{mesh_.points, {}};
+  for (const std::int32_t t : inHoles_) {
+    triangles.triangles.push_back(mesh_.triangles[t]);
+    if (heightOf(mesh_, t) < kMinHeight) wrong.push_back(sidesAround(t));
+  }
+  for (const auto& [a, b] : findSelfIntersections(triangles, {}, run).pairs) {
+    wrong.push_back(sidesAround(inHoles_[a]));
+    wrong.push_back(sidesAround(inHoles_[b]));
+  }
+  return wrong;
 }
 
 void HoleTriangles::takeSimplified(const Decimated& simple, const std::vector<Vector3d>& before) {
@@ -165,8 +178,9 @@ void HoleTriangles::takeSimplified(const Decimated& simple, const std::vector<Ve
     }
     paths_[e] = std::move(path);
   }
-  forSteps(
-      [&](int face, std::int32_t from, std::int32_t to) { faceAt_[std::minmax(from, to)] = face; });
+  forSteps([&](const Side& side, std::int32_t from, std::int32_t to) {
+    sideAt_[std::minmax(from, to)] = side;
+  });
   const std::vector<std::int32_t>& patchOf = simple.partition.patchOf;
   flipNeedles(mesh_, 2 * kSagFraction * tolerance_, [&](std::int32_t h) {
     return patchOf[h / 3] < 0 && patchOf[mesh_.opposite[h] / 3] < 0;
@@ -176,39 +190,34 @@ void HoleTriangles::takeSimplified(const Decimated& simple, const std::vector<Ve
   }
 }
 
-void HoleTriangles::markNeedles(std::vector<char>& isWrong) const {
-  for (const std::int32_t t : inHoles_) {
-    if (heightOf(mesh_, t) < kMinHeight) markAround(t, isWrong);
-  }
-}
-
-void HoleTriangles::markIntersecting(RunContext& run, std::vector<char>& isWrong) const {
-  TriMesh triangles{mesh_.points, {}};
-  for (const std::int32_t t : inHoles_) triangles.triangles.push_back(mesh_.triangles[t]);
-  for (const auto& [a, b] : findSelfIntersections(triangles, {}, run).pairs) {
-    markAround(inHoles_[a], isWrong);
-    markAround(inHoles_[b], isWrong);
-  }
-}
-
-void HoleTriangles::markAround(std::int32_t t, std::vector<char>& isWrong) const {
-  std::set<int> around;
+HoleTriangles::Sides HoleTriangles::sidesAround(std::int32_t t) const {
+  Sides around;
   for (int k = 0; k < 3; ++k) {
     const std::int32_t first = 3 * t + k;
     std::int32_t h = first;
     do {
-      const auto found = faceAt_.find(std::minmax(mesh_.origin(h), mesh_.target(h)));
-      if (found != faceAt_.end()) around.insert(found->second);
+      const auto found = sideAt_.find(std::minmax(mesh_.origin(h), mesh_.target(h)));
+      if (found != sideAt_.end()) around.insert(found->second);
       h = mesh_.opposite[HalfEdgeMesh::previous(h)];
     } while (h != first);
   }
-  markSmallest(around, isWrong);
+  return around;
 }
 
-void HoleTriangles::markSmallest(const std::set<int>& faces, std::vector<char>& isWrong) const {
-  const auto smallest = std::min_element(faces.begin(), faces.end(),
-                                         [&](int a, int b) { return area_[a] < area_[b]; });
-  if (smallest != faces.end()) isWrong[*smallest] = 1;
+bool HoleTriangles::canHalve(const Side& side) const {
+  const BRepAdaptor_Curve curve(open_[side.edge].edge);
+  return curve.Value(side.from).Distance(curve.Value(side.to)) > kMinSide * tolerance_;
+}
+
+int HoleTriangles::smallestFaceAt(const Sides& sides) const {
+  std::set<int> faces;
+  for (const Side& side : sides) faces.insert(faceAt(side));
+  return smallestOf(faces);
+}
+
+int HoleTriangles::smallestOf(const std::set<int>& faces) const {
+  return *std::min_element(faces.begin(), faces.end(),
+                           [&](int a, int b) { return area_[a] < area_[b]; });
 }
 
 }  // namespace swept::step

@@ -36,44 +36,57 @@ struct EdgePath {
 
 class HoleTriangles {
  public:
-  /// By face: `areas` in mm^2; `finer`: how often its edges get more vertices than the tolerance
-  /// demands. `mesh`: thinned, if it is large.
-  HoleTriangles(const std::vector<double>& areas, const std::vector<int>& finer,
-                std::vector<OpenEdge> open, const HalfEdgeMesh& mesh, double tolerance);
+  /// A side of a triangle on an open edge.
+  struct Side {
+    std::size_t edge;  ///< index in open()
+    double from, to;   ///< parameters
+    auto operator<=>(const Side&) const = default;
+  };
+  using Sides = std::set<Side>;
+  /// By edge (its TShape): parameters of vertices that it gets in addition to those that the
+  /// tolerance demands.
+  using MorePoints = std::map<const void*, std::set<double>>;
+
+  /// `areas`: of the faces, mm^2. `mesh`: thinned, if it is large.
+  HoleTriangles(const std::vector<double>& areas, std::vector<OpenEdge> open,
+                const MorePoints& more, const HalfEdgeMesh& mesh, double tolerance);
 
   /// Cuts the mesh. Marks faces that must be left out, if this fails.
   void cut(std::vector<char>& isWrong);
   /// Simplifies the triangles in the holes, after cut(). They stay within the tolerance of the
-  /// `original` mesh. Marks faces at triangles without area, and at triangles that intersect.
-  void simplify(const NearestTriangle& original, RunContext& run, std::vector<char>& isWrong);
+  /// `original` mesh. Returns sidesAround() of triangles without area, and of triangles that
+  /// intersect.
+  std::vector<Sides> simplify(const NearestTriangle& original, RunContext& run);
 
   const std::vector<OpenEdge>& open() const { return open_; }
   /// By open edge.
   const std::vector<EdgePath>& paths() const { return paths_; }
   const std::vector<Eigen::Vector3d>& points() const { return mesh_.points; }
-  /// Returns the triangles in the holes; their indices are those of markAround().
+  /// Returns the triangles in the holes.
   const std::vector<std::int32_t>& inHoles() const { return inHoles_; }
   const std::array<std::int32_t, 3>& triangle(std::int32_t t) const { return mesh_.triangles[t]; }
-  /// Marks the smallest of the faces at the vertices of a triangle.
-  void markAround(std::int32_t t, std::vector<char>& isWrong) const;
+  /// Returns the sides on open edges that end at vertices of a triangle.
+  Sides sidesAround(std::int32_t t) const;
+  /// Returns whether a vertex in the middle of a side would be far enough from others.
+  bool canHalve(const Side& side) const;
+  int smallestFaceAt(const Sides& sides) const;
 
  private:
   using Ends = std::pair<std::int32_t, std::int32_t>;  // of an edge of the mesh, sorted
   bool insertPoints(std::size_t edge);
   bool connect(std::size_t edge);
   void findHoles(std::vector<char>& isWrong);
-  void markSmallest(const std::set<int>& faces, std::vector<char>& isWrong) const;
-  // Calls use(face, from, to) for each step of the paths, in the direction in which the face lies
+  int smallestOf(const std::set<int>& faces) const;
+  // Calls use(side, from, to) for each step of the paths, in the direction in which the face lies
   // on its left.
   template <class Use>
   void forSteps(const Use& use) const;
   void takeSimplified(const Decimated& simple, const std::vector<Eigen::Vector3d>& before);
-  void markNeedles(std::vector<char>& isWrong) const;
-  void markIntersecting(RunContext& run, std::vector<char>& isWrong) const;
+  int faceAt(const Side& side) const { return open_[side.edge].face; }
 
-  const std::vector<int> finer_;    // by face
   const std::vector<double> area_;  // mm^2, by face
   const std::vector<OpenEdge> open_;
+  const MorePoints& more_;
   const double tolerance_;
   Imprint imprint_;
   std::map<const void*, std::int32_t> ends_;       // vertices of the mesh for those of the faces
@@ -82,7 +95,7 @@ class HoleTriangles {
   std::vector<char> isHole_;  // by triangle of the cut mesh
   HalfEdgeMesh mesh_;         // simplified
   std::vector<std::int32_t> inHoles_;
-  std::map<Ends, int> faceAt_;  // by edge of a path
+  std::map<Ends, Side> sideAt_;  // by edge of a path
 };
 
 }  // namespace swept::step

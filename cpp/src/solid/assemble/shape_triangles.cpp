@@ -62,11 +62,11 @@ ShapeTriangles::ShapeTriangles(const TopoDS_Shape& shape, double deflection, dou
   for (TopoDS_Shape& face : meshed_) face = divider.GetContext()->Apply(face);
 }
 
-std::vector<TopoDS_Face> ShapeTriangles::meshedFaces() const {
-  std::vector<TopoDS_Face> faces;
-  for (const TopoDS_Shape& part : meshed_) {
-    for (TopExp_Explorer it(part, TopAbs_FACE); it.More(); it.Next())
-      faces.push_back(TopoDS::Face(it.Current()));
+std::vector<FaceWithTriangles> ShapeTriangles::facesWithTriangles() const {
+  std::vector<FaceWithTriangles> faces;
+  for (std::size_t f = 0; f < meshed_.size(); ++f) {
+    for (TopExp_Explorer it(meshed_[f], TopAbs_FACE); it.More(); it.Next())
+      faces.push_back({TopoDS::Face(it.Current()), static_cast<int>(f)});
   }
   return faces;
 }

@@ -15,6 +15,12 @@
 
 namespace swept::step {
 
+/// A face, or a part of it, in which triangles are stored.
+struct FaceWithTriangles {
+  TopoDS_Face face;
+  int number;  ///< of the face in the shape, from 0
+};
+
 class ShapeTriangles {
  public:
   /// Makes triangles that deviate from the faces by at most `deflection` (mm), with at most `angle`
@@ -25,8 +31,7 @@ class ShapeTriangles {
   /// the whole shape, from 0. No two faces share vertices.
   TriMesh of(const TopoDS_Shape& part) const;
 
-  /// Returns the faces in which the triangles are stored: those of the shape, or their parts.
-  std::vector<TopoDS_Face> meshedFaces() const;
+  std::vector<FaceWithTriangles> facesWithTriangles() const;
 
  private:
   TopTools_IndexedMapOfShape faces_;

@@ -1,6 +1,7 @@
 // The judge (model/judge.h) of builds with OpenCASCADE.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepAdaptor_Surface.hxx>
+#include <BRep_Tool.hxx>
 #include <Message_ProgressScope.hxx>
 #include <Standard_ErrorHandler.hxx>
 #include <Standard_Failure.hxx>
@@ -9,6 +10,7 @@
 #include <TopoDS_Face.hxx>
 #include <algorithm>
 #include <fstream>
+#include <gp_Pnt.hxx>
 #include <optional>
 #include <sstream>
 
@@ -16,8 +18,10 @@
 #include "solid/assemble/assemble.h"
 #include "solid/assemble/body_shape.h"
 #include "solid/assemble/exact_sections.h"
+#include "solid/assemble/face_samples.h"
 #include "solid/assemble/facet_filling.h"
 #include "solid/assemble/fine_triangles.h"
+#include "solid/assemble/kernel_geometry.h"
 #include "solid/assemble/shorten_curves.h"
 #include "solid/assemble/sides.h"
 #include "solid/assemble/solid_of_faces.h"
@@ -31,7 +35,6 @@
 #include "solid/kernel/solid_file.h"
 #include "solid/model/judge.h"
 #include "solid/text/step_text.h"
-
 namespace swept::step {
 namespace {
 
@@ -71,6 +74,14 @@ std::string kindOf(const TopoDS_Face& face) {
     default:
       return surfaceKindName(CarrierKind::Sheet);
   }
+}
+
+// Returns a point in the middle of a face, or on its border if it is too narrow.
+gp_Pnt pointOn(const TopoDS_Face& face) {
+  constexpr int kSamples = 25;
+  const std::vector<FaceSample> samples = samplesOf(face, kSamples);
+  if (!samples.empty()) return samples[samples.size() / 2].point;
+  return BRep_Tool::Pnt(TopoDS::Vertex(TopExp_Explorer(face, TopAbs_VERTEX).Current()));
 }
 
 // Counts some faces of a kind as facets.
@@ -132,10 +143,10 @@ class KernelJudge : public Judge {
     // Some faces are wrong only after they were read back.
     constexpr int kRounds = 3;
     if (parts_.empty()) return std::nullopt;
+    FacetFiller filling(parts_, mesh, *sides_, options.tolerance, run);
     std::vector<Eigen::Vector3d> wrong;
     for (int round = 0; round < kRounds; ++round) {
-      const FilledSolid filled =
-          fillWithFacets(parts_, mesh, *sides_, options.tolerance, wrong, run);
+      const FilledSolid filled = filling.fill(wrong);
       if (filled.shape.IsNull() || countOf(filled.shape, TopAbs_FACE) > mostFaces)
         return std::nullopt;
       TriMesh triangles;
@@ -144,7 +155,8 @@ class KernelJudge : public Judge {
       countAsFacets(CarrierKind::Sheet, filled.cones, assembly);
       assembly.deviation = sweepDeviation(triangles, mesh.points, sides_->interior(),
                                           sides_->detail(), options.tolerance);
-      if (assembly.deviation <= options.tolerance) return assembly;
+      wrong = assembly.check.valid ? std::vector<Eigen::Vector3d>() : pointsOnInvalid(run);
+      if (wrong.empty() && assembly.deviation <= options.tolerance) return assembly;
       for (const FarFoot& foot : feetBeyond(triangles, mesh.points, sides_->interior(),
                                             sides_->detail(), options.tolerance))
         wrong.push_back(foot.point);
@@ -206,6 +218,16 @@ class KernelJudge : public Judge {
     for (TopExp_Explorer it(readBack_, TopAbs_FACE); it.More(); it.Next())
       ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];
     return assembly;
+  }
+  // Returns a point on each face that is not valid after it was read back.
+  std::vector<Eigen::Vector3d> pointsOnInvalid(RunContext& run) const {
+    std::vector<TopoDS_Shape> faces;
+    for (TopExp_Explorer it(readBack_, TopAbs_FACE); it.More(); it.Next())
+      faces.push_back(it.Current());
+    std::vector<Eigen::Vector3d> points;
+    for (const std::int32_t f : step::findBadFaces(faces, run, 0.5, 0.6))
+      points.push_back(vectorOf(pointOn(TopoDS::Face(faces[f])).XYZ()));
+    return points;
   }
   TopoDS_Shape readAssembled(const std::string& file, SolidFormat format, RunContext& run) {
     return format == SolidFormat::Brep ? readBrepFile(file, run) : readStepFile(file, kernel_, run);
