@@ -134,6 +134,16 @@ TEST_F(FacetFilling, FacesThatTurnOutToBeWrongAreReplaced) {
   EXPECT_NEAR(judged_.volume, 480, 1e-9);
 }
 
+TEST_F(FacetFilling, ACavityThatTheMeshDoesNotHaveIsLeftOut) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(12, 8, 5).Shape();
+  std::vector<TopoDS_Face> faces = facesOf(box);
+  for (const TopoDS_Face& face : facesOf(BRepPrimAPI_MakeBox(gp_Pnt(4, 3, 2), 2, 2, 1).Shape()))
+    faces.push_back(TopoDS::Face(face.Reversed()));
+  fill(box, faces, test::makeBox({0, 0, 0}, {12, 8, 5}));
+  EXPECT_EQ(judged_.faces, 6);
+  EXPECT_NEAR(judged_.volume, 480, 1e-9);
+}
+
 TEST_F(FacetFilling, FacesWithLittleOfTheAreaAreNotWorthIt) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(12, 8, 5).Shape();
   std::vector<TopoDS_Face> faces = facesOf(box);

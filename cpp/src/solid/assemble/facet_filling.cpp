@@ -21,9 +21,11 @@
 #include "geometry/nearest_triangle.h"
 #include "geometry/self_intersections.h"
 #include "solid/assemble/exact_sections.h"
+#include "solid/assemble/face_samples.h"
 #include "solid/assemble/fine_triangles.h"
 #include "solid/assemble/hole_facets.h"
 #include "solid/assemble/hole_triangles.h"
+#include "solid/assemble/kernel_geometry.h"
 #include "solid/assemble/open_edges.h"
 #include "solid/assemble/shape_triangles.h"
 #include "solid/assemble/solid_of_faces.h"
@@ -91,19 +93,6 @@ std::set<std::pair<int, int>> intersecting(const TriMesh& apart, RunContext& run
   return pairs;
 }
 
-// Marks the faces that are nearest to some points.
-void markAt(const std::vector<Vector3d>& points, const std::vector<TopoDS_Face>& faces,
-            double deflection, std::vector<char>& isMarked) {
-  if (points.empty() || faces.empty()) return;
-  const TriMesh triangles = trianglesWithin(compoundOf(faces), deflection);
-  const NearestTriangle nearest(triangles.vertices, triangles.triangles);
-  for (const Vector3d& p : points) {
-    std::int32_t triangle = -1;
-    nearest.query(p, HUGE_VAL, 0, triangle);
-    isMarked[triangles.faceOf[triangle]] = 1;
-  }
-}
-
 }  // namespace
 
 // The faces, and what was learned about them.
@@ -120,12 +109,17 @@ class FacetFiller::State {
     // Pieces of one face are not joined: the kernel (7.6) does not end if it joins some of those
     // with open edges.
     faces_ = copyOf(given);
+    for (const TopoDS_Face& face : faces_) measured_.push_back(face.TShape().get());
+    triangles_ = trianglesWithin(compoundOf(faces_), deflection());
   }
 
   FilledSolid fill(const std::vector<Vector3d>& wrong) {
     isWrong_.assign(faces_.size(), 0);
-    if (round_ == 0) markInvalid(faces_, isWrong_);
-    markAt(wrong, faces_, deflection(), isWrong_);
+    if (round_ == 0) {
+      markBubbles();
+      markInvalid(faces_, isWrong_);
+    }
+    markAt(wrong);
     leaveOut();
     while (!faces_.empty()) {
       run_.checkpoint(Phase::Export);
@@ -148,7 +142,9 @@ class FacetFiller::State {
       const Wrong wrongFacets = test(triangles, facets);
       if (mend(triangles, wrongFacets)) continue;
       if (!wrongFacets.empty()) break;
-      return solidOfAll(facets);
+      const FilledSolid filled = solidOfAll(facets);
+      if (!filled.shape.IsNull()) return filled;
+      if (!leaveOut()) break;
     }
     return {};
   }
@@ -166,6 +162,61 @@ class FacetFiller::State {
       at->second = std::abs(properties.Mass());
     }
     return at->second;
+  }
+
+  // Returns triangles that lie near the faces, TriMesh::faceOf with their indices.
+  TriMesh trianglesOfFaces() const {
+    std::map<const void*, std::int32_t> indices;
+    for (const TopoDS_Face& face : faces_)
+      indices.emplace(face.TShape().get(), static_cast<std::int32_t>(indices.size()));
+    TriMesh mesh{triangles_.vertices, {}};
+    for (std::size_t t = 0; t < triangles_.triangles.size(); ++t) {
+      const auto at = indices.find(measured_[triangles_.faceOf[t]]);
+      if (at == indices.end()) continue;
+      mesh.triangles.push_back(triangles_.triangles[t]);
+      mesh.faceOf.push_back(at->second);
+    }
+    return mesh;
+  }
+
+  // Marks the faces that are nearest to some points.
+  void markAt(const std::vector<Vector3d>& points) {
+    if (points.empty() || faces_.empty()) return;
+    const TriMesh triangles = trianglesOfFaces();
+    const NearestTriangle nearest(triangles.vertices, triangles.triangles);
+    for (const Vector3d& p : points) {
+      std::int32_t triangle = -1;
+      nearest.query(p, HUGE_VAL, 0, triangle);
+      isWrong_[triangles.faceOf[triangle]] = 1;
+    }
+  }
+
+  // Marks closed surfaces of faces that are far from the mesh. They bound cavities, which envelopes
+  // do not have, or which are smaller than the cells of the grid.
+  void markBubbles() {
+    constexpr int kSamples = 9;
+    std::vector<char> isOpen(faces_.size(), 0);
+    std::vector<TopoDS_Face> fit = faces_;
+    TopTools_IndexedMapOfShape numbers;
+    for (const TopoDS_Face& face : faces_) numbers.Add(face);
+    for (const OpenEdge& open : openEdgesOf(fit)) isOpen[numbers.FindIndex(fit[open.face]) - 1] = 1;
+    TopTools_ListOfShape blocks;
+    BOPTools_AlgoTools::MakeConnexityBlocks(compoundOf(fit), TopAbs_EDGE, TopAbs_FACE, blocks);
+    for (const TopoDS_Shape& block : blocks) {
+      std::vector<int> faces;
+      for (TopExp_Explorer it(block, TopAbs_FACE); it.More(); it.Next())
+        faces.push_back(numbers.FindIndex(it.Current()) - 1);
+      const bool isBubble = std::none_of(faces.begin(), faces.end(), [&](int f) {
+        if (isOpen[f]) return true;
+        const std::vector<FaceSample> samples = samplesOf(faces_[f], kSamples);
+        return std::any_of(samples.begin(), samples.end(), [&](const FaceSample& sample) {
+          std::int32_t hint = -1;
+          return original_.query(vectorOf(sample.point.XYZ()), HUGE_VAL, 0, hint) <=
+                 tolerance_ * tolerance_;
+        });
+      });
+      for (const int f : faces) isWrong_[f] = isWrong_[f] || isBubble;
+    }
   }
 
   // Leaves out the faces that are wrong. Returns whether there were any.
@@ -193,16 +244,31 @@ class FacetFiller::State {
     return leaveOut() || isHalved;
   }
 
+  // Appends the triangles that do not belong to faces.
+  void appendFacets(const TriMesh& from, TriMesh& to) const {
+    const auto first = static_cast<std::int32_t>(to.vertices.size());
+    to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
+    for (std::size_t t = 0; t < from.triangles.size(); ++t) {
+      if (from.faceOf[t] < static_cast<int>(faces_.size())) continue;
+      const auto& [a, b, c] = from.triangles[t];
+      to.triangles.push_back({first + a, first + b, first + c});
+      to.faceOf.push_back(from.faceOf[t]);
+    }
+  }
+
   // Marks wrong faces, and returns the wrong facets.
   Wrong test(const HoleTriangles& triangles, const HoleFacets& facets) {
     const std::vector<TopoDS_Face> all = facets.all();
     std::vector<char> isMarked(all.size(), 0);
+    const TriMesh joined = joinedTriangles(all, deflection());
+    // The kernel's triangles of curved faces may be less accurate than demanded.
+    TriMesh accurate = trianglesOfFaces();
+    appendFacets(joined, accurate);
     for (const FarFoot& foot :
-         feetBeyond(trianglesWithin(compoundOf(all), deflection()), mesh_.points, sides_.interior(),
-                    sides_.detail(), tolerance_))
+         feetBeyond(accurate, mesh_.points, sides_.interior(), sides_.detail(), tolerance_))
       isMarked[foot.face] = 1;
     markInvalid(all, isMarked);
-    for (const auto& [a, b] : intersecting(joinedTriangles(all, deflection()), run_)) {
+    for (const auto& [a, b] : intersecting(joined, run_)) {
       // Facets are less exact than faces.
       const bool isOfFaces = b < static_cast<int>(faces_.size());
       isMarked[isOfFaces && areaOf(faces_[a]) < areaOf(faces_[b]) ? a : b] = 1;
@@ -219,7 +285,8 @@ class FacetFiller::State {
     return wrong;
   }
 
-  FilledSolid solidOfAll(const HoleFacets& facets) const {
+  // If it cannot be made valid, marks the faces that are not.
+  FilledSolid solidOfAll(const HoleFacets& facets) {
     // Repairs change the faces in place, and so do exact sections.
     const std::vector<TopoDS_Face> closed = copyOf(facets.joinedAll());
     FilledSolid result;
@@ -228,6 +295,11 @@ class FacetFiller::State {
       ++(kind == GeomAbs_Plane ? result.planes : result.cones);
     }
     result.shape = solidOf(closed, mesh_.volume, mesh_.area * tolerance_, true);
+    if (result.shape.IsNull()) {
+      for (std::size_t f = 0; f < faces_.size(); ++f)
+        isWrong_[f] = BRepCheck_Analyzer(closed[f]).IsValid() ? 0 : 1;
+      return result;
+    }
     // Facets are exact already.
     makeSectionsExact(
         compoundOf({closed.begin(), closed.begin() + static_cast<std::ptrdiff_t>(faces_.size())}));
@@ -240,6 +312,8 @@ class FacetFiller::State {
   RunContext& run_;
   const HalfEdgeMesh thin_;
   const NearestTriangle original_;
+  std::vector<const void*> measured_;  // the faces at first
+  TriMesh triangles_;                  // of these, within deflection()
   std::vector<TopoDS_Face> faces_;
   std::vector<char> isWrong_;  // by face
   HoleTriangles::MorePoints more_;
@@ -248,7 +322,7 @@ class FacetFiller::State {
 };
 
 FacetFiller::FacetFiller(const std::vector<TopoDS_Face>& faces, const HalfEdgeMesh& mesh,
-                           const Sides& sides, double tolerance, RunContext& run)
+                         const Sides& sides, double tolerance, RunContext& run)
     : state_(std::make_unique<State>(faces, mesh, sides, tolerance, run)) {}
 FacetFiller::~FacetFiller() = default;
 

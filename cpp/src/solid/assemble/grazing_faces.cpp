@@ -7,6 +7,7 @@
 #include <Precision.hxx>
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "solid/assemble/fitted_edge.h"
 #include "solid/assemble/kernel_geometry.h"
 #include "solid/assemble/turning_step.h"
@@ -266,7 +267,18 @@ void TurningStep::appendSeam(const Graze& half, const Graze& other) {
     to_.dividers.push_back({edge, {half.face, other.face}});
 }
 
-void TurningStep::appendRegression(const Graze& graze) {
+void TurningStep::appendRegressions() {
+  std::vector<Regression> found(grazes_.size());
+  parallelBlocks(grazes_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) found[i] = regressionOf(grazes_[i]);
+  });
+  for (const Regression& of : found) {
+    to_.folds.insert(to_.folds.end(), of.folds.begin(), of.folds.end());
+    to_.crossings.insert(to_.crossings.end(), of.crossings.begin(), of.crossings.end());
+  }
+}
+
+TurningStep::Regression TurningStep::regressionOf(const Graze& graze) const {
   const ContactCurves& curves = curves_[graze.surface];
   const auto exact = [&](const Vector2d& on) {
     return motion_.at(curves.at(graze.curve, on.x(), on.y()), on.y());
@@ -284,22 +296,22 @@ void TurningStep::appendRegression(const Graze& graze) {
     return slope(on, {stepW, 0}).cross(slope(on, {0, stepS})).dot(normal) /
            (stepW * stepS * motion_.length());
   };
-  bool hasFold = false;
+  Regression regression;
   for (const ZeroArc& arc : zeroArcs(area, graze.w, graze.s, {1, motion_.length()})) {
     const TopoDS_Edge edge = fittedEdge([&](double t) { return exact(arc.at(t)); }, arc.range());
     const auto on = [&](double t) {
       const Vector2d p = arc.at(t);
       return Vector2d(p.x(), motion_.timeOf(p.y()));
     };
-    if (edge.IsNull() || !addCurveOn(to_.faces[graze.face].face, edge, on, {1, 1}, arc.range()))
-      continue;
-    to_.folds.push_back({edge, {graze.face}});
-    hasFold = true;
+    if (!edge.IsNull() && addCurveOn(to_.faces[graze.face].face, edge, on, {1, 1}, arc.range()))
+      regression.folds.push_back({edge, {graze.face}});
   }
-  if (hasFold) appendCrossings(graze, area);
+  if (!regression.folds.empty()) regression.crossings = crossingsOf(graze, area);
+  return regression;
 }
 
-void TurningStep::appendCrossings(const Graze& graze, const OfTwo& area) {
+std::vector<gp_Pnt> TurningStep::crossingsOf(const Graze& graze, const OfTwo& area) const {
+  std::vector<gp_Pnt> crossings;
   for (const Contact& contact : contacts_) {
     if (grazeOf(contact) != &graze) continue;
     const BodyEdge& edge = body_.edges[contact.edge];
@@ -311,9 +323,10 @@ void TurningStep::appendCrossings(const Graze& graze, const OfTwo& area) {
     for (const double t :
          zerosOf([&](double x) { return area(onGraze(x)); }, contact.arc.range())) {
       const Vector2d on = contact.arc.at(t);
-      to_.crossings.push_back(pointOf(motion_.at(edge.at(on.x()), on.y())));
+      crossings.push_back(pointOf(motion_.at(edge.at(on.x()), on.y())));
     }
   }
+  return crossings;
 }
 
 }  // namespace swept::step

@@ -145,6 +145,11 @@ void HoleFacets::cutEdge(std::size_t edge, const HoleTriangles& triangles) {
 }
 
 TopoDS_Face HoleFacets::withCutEdges(const TopoDS_Face& face) const {
+  // A face without open edges keeps the triangles that are stored in it.
+  bool isCut = false;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    isCut = isCut || parts_.IsBound(it.Current());
+  if (!isCut) return face;
   const BRep_Builder builder;
   TopoDS_Face result = TopoDS::Face(face.EmptyCopied().Oriented(TopAbs_FORWARD));
   for (TopoDS_Iterator wire(face.Oriented(TopAbs_FORWARD)); wire.More(); wire.Next()) {

@@ -79,13 +79,19 @@ TopTools_MapOfShape edgesBetweenSurfaces(const TopoDS_Shape& shape) {
   return between;
 }
 
+struct Solids {
+  TopoDS_Shape shape;
+  double volume = 0;
+};
+
 // Makes one solid for each outer shell. Cavities are shells with a negative volume.
-TopoDS_Shape solidsOf(const std::vector<TopoDS_Face>& faces) {
+Solids solidsOf(const std::vector<TopoDS_Face>& faces) {
   const BRep_Builder builder;
   std::vector<TopoDS_Face> simple;
   for (const TopoDS_Face& face : faces) simple.push_back(onPlane(face));
   TopTools_ListOfShape blocks;
   BOPTools_AlgoTools::MakeConnexityBlocks(compoundOf(simple), TopAbs_EDGE, TopAbs_FACE, blocks);
+  Solids result;
   std::vector<TopoDS_Solid> solids;
   std::vector<TopoDS_Shell> cavities;
   for (const TopoDS_Shape& block : blocks) {
@@ -94,7 +100,9 @@ TopoDS_Shape solidsOf(const std::vector<TopoDS_Face>& faces) {
     for (TopExp_Explorer face(block, TopAbs_FACE); face.More(); face.Next())
       builder.Add(shell, face.Current());
     shell.Closed(Standard_True);
-    if (volumeOf(shell) < 0) {
+    const double volume = volumeOf(shell);
+    result.volume += volume;
+    if (volume < 0) {
       cavities.push_back(shell);
       continue;
     }
@@ -105,10 +113,14 @@ TopoDS_Shape solidsOf(const std::vector<TopoDS_Face>& faces) {
   }
   if (solids.empty() || (!cavities.empty() && solids.size() > 1)) return {};
   for (const TopoDS_Shell& cavity : cavities) builder.Add(solids.front(), cavity);
-  if (solids.size() == 1) return solids.front();
-  TopoDS_Compound result;
-  builder.MakeCompound(result);
-  for (const TopoDS_Solid& solid : solids) builder.Add(result, solid);
+  if (solids.size() == 1) {
+    result.shape = solids.front();
+    return result;
+  }
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (const TopoDS_Solid& solid : solids) builder.Add(all, solid);
+  result.shape = all;
   return result;
 }
 
@@ -192,8 +204,9 @@ TopoDS_Shape joined(const TopoDS_Shape& shape, bool withEdges) {
 
 TopoDS_Shape solidOf(const std::vector<TopoDS_Face>& faces, double volume, double accuracy,
                      bool areJoined) {
-  const TopoDS_Shape solids = solidsOf(faces);
-  if (solids.IsNull() || std::abs(volumeOf(solids) - volume) > accuracy) return {};
+  const Solids made = solidsOf(faces);
+  const TopoDS_Shape& solids = made.shape;
+  if (solids.IsNull() || std::abs(made.volume - volume) > accuracy) return {};
   if (!areJoined) {
     const TopoDS_Shape whole = joined(solids, true);
     const TopoDS_Shape solid = repaired(whole);

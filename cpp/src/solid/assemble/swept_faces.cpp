@@ -38,11 +38,12 @@ using Eigen::Vector3d;
 
 /// Number of faces of the body times number of moves. With more, the kernel would take minutes.
 constexpr std::size_t kMaxFaces = 2000;
-/// The same if the body moves and turns at the same time: a pulley of 76 faces takes 45 CPU seconds
-/// for two steps, and the time grows with the square of the number. A starter motor of 27 faces
-/// along eleven steps took over a minute, and then had so many facets that surfaces recognised in
-/// the mesh were better.
-constexpr std::size_t kMaxTurningFaces = 250;
+/// The same if the body moves and turns at the same time, for up to ten steps and for more. The
+/// time grows with the number of faces and with the square of the number of steps: the foot of a
+/// robot, 237 faces along two steps, takes 75 CPU seconds, a pulley of 76 faces 45 along two steps
+/// and 100 along four. A starter motor of 27 faces along eleven steps takes 80. Its solid has half
+/// as many faces as one of surfaces recognised in the mesh, but a file nine times as large.
+constexpr std::size_t kFewSteps = 10, kMaxTurningFaces = 500, kMaxFacesOfManySteps = 250;
 /// Shorter moves (mm) and smaller turns (rad) are no motion.
 constexpr double kNoMove = 1e-9, kNoTurn = 1e-10;
 
@@ -213,9 +214,10 @@ Trajectory withoutRests(Trajectory trajectory) {
 
 // Returns whether turningFaces() can make the faces.
 bool canTurn(const BodyShape& body, const Trajectory& trajectory) {
-  return trajectory.interpolation != Interpolation::None && trajectory.poses.size() >= 2 &&
-         faceCount(body.shape) * (trajectory.poses.size() - 1) <= kMaxTurningFaces &&
-         isOneSolid(body.shape);
+  if (trajectory.interpolation == Interpolation::None || trajectory.poses.size() < 2) return false;
+  const std::size_t steps = trajectory.poses.size() - 1;
+  const std::size_t most = steps <= kFewSteps ? kMaxTurningFaces : kMaxFacesOfManySteps;
+  return faceCount(body.shape) * steps <= most && isOneSolid(body.shape);
 }
 
 SweptFaces facesOfTurns(const BodyShape& body, const Trajectory& trajectory, const Sides& sides,

@@ -64,7 +64,8 @@ struct SweptFaces {
 };
 
 /// Returns whether the motion and the body are of these kinds, and the body has few enough faces
-/// (faces times steps up to 2,000; up to 250 if it moves and turns at the same time).
+/// (faces times steps up to 2,000; if it moves and turns at the same time, up to 500 in ten steps,
+/// or up to 250 in more).
 bool canSweepFaces(const BodyShape& body, const Trajectory& trajectory);
 
 /// `sides`: of the same sweep. Empty if the kernel fails.

@@ -67,8 +67,8 @@ bool TurningStep::append(const PosedBody& start, const PosedBody& end,
       appendChange(graze, next);
       appendSeam(graze, next);
     }
-    appendRegression(graze);
   }
+  appendRegressions();
   for (std::size_t f = 0; f < body_.faces.size(); ++f) {
     for (const int time : {0, 1}) appendContactsOfCap(static_cast<int>(f), time);
   }

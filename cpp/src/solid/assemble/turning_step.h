@@ -138,11 +138,15 @@ class TurningStep {
   void appendContactsOfCap(int f, int time);
   // Returns the grazing surface that begins or ends in a contact curve through a point.
   const Graze* grazeAt(int surface, const Eigen::Vector3d& p, int time) const;
-  // Appends the edges of regression of a grazing surface: there it is tangent to itself, as the
-  // contact curve has the velocity of the body.
-  void appendRegression(const Graze& graze);
-  // Appends the points at which paths of contact cross edges of regression.
-  void appendCrossings(const Graze& graze, const OfTwo& area);
+  // The edges of regression of a grazing surface: there it is tangent to itself, as the contact
+  // curve has the velocity of the body. And the points at which paths of contact cross them.
+  struct Regression {
+    std::vector<SweptSection> folds;
+    std::vector<gp_Pnt> crossings;
+  };
+  Regression regressionOf(const Graze& graze) const;
+  std::vector<gp_Pnt> crossingsOf(const Graze& graze, const OfTwo& area) const;
+  void appendRegressions();
 
   const BodyGeometry& body_;
   const StepPath& path_;

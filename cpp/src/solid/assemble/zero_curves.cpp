@@ -121,11 +121,33 @@ double advanceOf(const std::vector<Vector2d>& points, const Vector2d& direction)
 }  // namespace
 
 double zeroBetween(const OfOne& f, double a, double b) {
-  constexpr int kHalvings = 60;
-  const bool isNegative = f(a) < 0;
-  for (int round = 0; round < kHalvings; ++round) {
+  // The ITP method: the secant method, never much slower than halving.
+  constexpr int kHalvings = 52;
+  const double precision = std::ldexp(std::abs(b - a), -kHalvings);
+  const double truncation = 0.2 / std::abs(b - a);
+  double fa = f(a), fb = f(b);
+  if (fa == 0) return a;
+  if (fb == 0) return b;
+  for (int round = 0; std::abs(b - a) > precision; ++round) {
     const double middle = (a + b) / 2;
-    ((f(middle) < 0) == isNegative ? a : b) = middle;
+    const double slack =
+        std::max(0.0, std::ldexp(precision, kHalvings + 1 - round) - std::abs(b - a)) / 2;
+    const double secant = (fb * a - fa * b) / (fb - fa), toMiddle = middle - secant;
+    double next = middle;
+    if (std::isfinite(secant)) {
+      // Towards the middle, so that the zero lies on the other side of the point: both ends move.
+      const double inward =
+          std::min(std::abs(toMiddle), std::max(precision, truncation * (b - a) * (b - a)));
+      next = secant + std::copysign(inward, toMiddle);
+      if (std::abs(next - middle) > slack) next = middle - std::copysign(slack, toMiddle);
+    }
+    if (next == a || next == b) next = middle;
+    if (next == a || next == b) break;
+    const double value = f(next);
+    const bool isLikeA = (value < 0) == (fa < 0);
+    (isLikeA ? a : b) = next;
+    (isLikeA ? fa : fb) = value;
+    if (value == 0) return next;
   }
   return (a + b) / 2;
 }
