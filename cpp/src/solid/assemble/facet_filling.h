@@ -36,7 +36,7 @@ class FacetFiller {
   /// Keeps references to `mesh`, `sides` (of the sweep) and `run`. `tolerance`: mm, how far the
   /// facets may be off the mesh.
   FacetFiller(const std::vector<TopoDS_Face>& faces, const HalfEdgeMesh& mesh, const Sides& sides,
-               double tolerance, RunContext& run);
+              double tolerance, RunContext& run);
   ~FacetFiller();
 
   /// `wrong`: points of faces that must be left out. A further call goes on with the faces that
