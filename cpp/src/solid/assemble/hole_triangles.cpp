@@ -129,10 +129,15 @@ void HoleTriangles::findHoles(std::vector<char>& isWrong) {
   });
   isHole_.clear();
   for (const std::int32_t r : region) isHole_.push_back(votes[r] > 0);
+  // Faces that do not fit to a region. Without the smallest one, the others may.
+  std::map<std::int32_t, std::set<int>> misfits;
   forSteps([&](const Side& side, std::int32_t from, std::int32_t to) {
-    if (isHole_[imprint_.triangleBeside(from, to)] || !isHole_[imprint_.triangleBeside(to, from)])
-      isWrong[faceAt(side)] = 1;
+    const std::int32_t left = imprint_.triangleBeside(from, to),
+                       right = imprint_.triangleBeside(to, from);
+    if (isHole_[left]) misfits[region[left]].insert(faceAt(side));
+    if (!isHole_[right]) misfits[region[right]].insert(faceAt(side));
   });
+  for (const auto& [of, faces] : misfits) isWrong[smallestOf(faces)] = 1;
 }
 
 std::vector<HoleTriangles::Sides> HoleTriangles::simplify(const NearestTriangle& original,

@@ -122,7 +122,8 @@ double advanceOf(const std::vector<Vector2d>& points, const Vector2d& direction)
 
 double zeroBetween(const OfOne& f, double a, double b) {
   // The ITP method: the secant method, never much slower than halving.
-  constexpr int kHalvings = 52;
+  constexpr int kHalvings = 60;
+  constexpr double kEpsilon = 0x1p-52;
   const double precision = std::ldexp(std::abs(b - a), -kHalvings);
   const double truncation = 0.2 / std::abs(b - a);
   double fa = f(a), fb = f(b);
@@ -136,8 +137,9 @@ double zeroBetween(const OfOne& f, double a, double b) {
     double next = middle;
     if (std::isfinite(secant)) {
       // Towards the middle, so that the zero lies on the other side of the point: both ends move.
+      const double least = std::max(precision, std::abs(secant) * kEpsilon);
       const double inward =
-          std::min(std::abs(toMiddle), std::max(precision, truncation * (b - a) * (b - a)));
+          std::min(std::abs(toMiddle), std::max(least, truncation * (b - a) * (b - a)));
       next = secant + std::copysign(inward, toMiddle);
       if (std::abs(next - middle) > slack) next = middle - std::copysign(slack, toMiddle);
     }
