@@ -44,11 +44,7 @@ constexpr double kMinFraction = 0.4;
 
 // Returns copies that share no edges with the faces.
 std::vector<TopoDS_Face> copyOf(const std::vector<TopoDS_Face>& faces) {
-  const TopoDS_Shape copy = BRepBuilderAPI_Copy(compoundOf(faces), Standard_False).Shape();
-  std::vector<TopoDS_Face> result;
-  for (TopExp_Explorer it(copy, TopAbs_FACE); it.More(); it.Next())
-    result.push_back(TopoDS::Face(it.Current()));
-  return result;
+  return facesIn(BRepBuilderAPI_Copy(compoundOf(faces), Standard_False).Shape());
 }
 
 // Returns triangles that fit together at the edges of the faces, TriMesh::faceOf with their
@@ -191,8 +187,8 @@ class FacetFiller::State {
     }
   }
 
-  // Marks closed surfaces of faces that are far from the mesh. They bound cavities, which envelopes
-  // do not have, or which are smaller than the cells of the grid.
+  // Marks closed surfaces of faces that are far from the mesh: they bound cavities that the
+  // envelope does not have.
   void markBubbles() {
     constexpr int kSamples = 9;
     std::vector<char> isOpen(faces_.size(), 0);

@@ -31,6 +31,7 @@ struct FilledSolid {
   std::int64_t planes = 0, cones = 0;  ///< facets of both kinds (hole_facets.h)
 };
 
+/// Fills the holes between faces.
 class FacetFiller {
  public:
   /// Keeps references to `mesh`, `sides` (of the sweep) and `run`. `tolerance`: mm, how far the

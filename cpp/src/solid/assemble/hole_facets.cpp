@@ -111,8 +111,8 @@ std::vector<TopoDS_Face> HoleFacets::all() const {
 
 std::vector<TopoDS_Face> HoleFacets::joinedAll() const {
   std::vector<TopoDS_Face> result = cut_;
-  for (TopExp_Explorer it(joined(compoundOf(facets_), false), TopAbs_FACE); it.More(); it.Next())
-    result.push_back(TopoDS::Face(it.Current()));
+  const std::vector<TopoDS_Face> facets = facesIn(joined(compoundOf(facets_), false));
+  result.insert(result.end(), facets.begin(), facets.end());
   return result;
 }
 

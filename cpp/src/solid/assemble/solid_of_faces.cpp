@@ -187,6 +187,13 @@ TopoDS_Compound compoundOf(const std::vector<TopoDS_Face>& faces) {
   return all;
 }
 
+std::vector<TopoDS_Face> facesIn(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Face> faces;
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+    faces.push_back(TopoDS::Face(it.Current()));
+  return faces;
+}
+
 TopoDS_Shape joined(const TopoDS_Shape& shape, bool withEdges) {
   try {
     ShapeUpgrade_UnifySameDomain faces(shape, Standard_False, Standard_True, Standard_False);

@@ -18,6 +18,8 @@ int countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind);
 double sizeOf(const TopoDS_Shape& shape);
 
 TopoDS_Compound compoundOf(const std::vector<TopoDS_Face>& faces);
+/// Returns the faces of a shape in their order, with their orientations in it.
+std::vector<TopoDS_Face> facesIn(const TopoDS_Shape& shape);
 
 /// Returns a solid, or a compound of one solid for each outer shell. Unless `areJoined`, adjacent
 /// faces of one surface are joined. `faces`: closed, with their normals outward. Returns a null

@@ -35,6 +35,7 @@
 #include "solid/kernel/solid_file.h"
 #include "solid/model/judge.h"
 #include "solid/text/step_text.h"
+
 namespace swept::step {
 namespace {
 
@@ -143,10 +144,10 @@ class KernelJudge : public Judge {
     // Some faces are wrong only after they were read back.
     constexpr int kRounds = 3;
     if (parts_.empty()) return std::nullopt;
-    FacetFiller filling(parts_, mesh, *sides_, options.tolerance, run);
+    FacetFiller filler(parts_, mesh, *sides_, options.tolerance, run);
     std::vector<Eigen::Vector3d> wrong;
     for (int round = 0; round < kRounds; ++round) {
-      const FilledSolid filled = filling.fill(wrong);
+      const FilledSolid filled = filler.fill(wrong);
       if (filled.shape.IsNull() || countOf(filled.shape, TopAbs_FACE) > mostFaces)
         return std::nullopt;
       TriMesh triangles;
@@ -215,18 +216,15 @@ class KernelJudge : public Judge {
     const double deflection =
         std::max(kOfDetail * sides_->detail(), kOfTolerance * options.tolerance);
     triangles = trianglesWithin(readBack_, deflection);
-    for (TopExp_Explorer it(readBack_, TopAbs_FACE); it.More(); it.Next())
-      ++assembly.facesByKind[kindOf(TopoDS::Face(it.Current()))];
+    for (const TopoDS_Face& face : facesIn(readBack_)) ++assembly.facesByKind[kindOf(face)];
     return assembly;
   }
   // Returns a point on each face that is not valid after it was read back.
   std::vector<Eigen::Vector3d> pointsOnInvalid(RunContext& run) const {
-    std::vector<TopoDS_Shape> faces;
-    for (TopExp_Explorer it(readBack_, TopAbs_FACE); it.More(); it.Next())
-      faces.push_back(it.Current());
+    const std::vector<TopoDS_Face> faces = facesIn(readBack_);
     std::vector<Eigen::Vector3d> points;
-    for (const std::int32_t f : step::findBadFaces(faces, run, 0.5, 0.6))
-      points.push_back(vectorOf(pointOn(TopoDS::Face(faces[f])).XYZ()));
+    for (const std::int32_t f : step::findBadFaces({faces.begin(), faces.end()}, run, 0.5, 0.6))
+      points.push_back(vectorOf(pointOn(faces[f]).XYZ()));
     return points;
   }
   TopoDS_Shape readAssembled(const std::string& file, SolidFormat format, RunContext& run) {
