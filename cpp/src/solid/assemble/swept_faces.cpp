@@ -41,8 +41,8 @@ constexpr std::size_t kMaxFaces = 2000;
 /// The same if the body moves and turns at the same time, for up to ten steps and for more. The
 /// time grows with the number of faces and with the square of the number of steps: the foot of a
 /// robot, 237 faces along two steps, takes 75 CPU seconds, a pulley of 76 faces 45 along two steps
-/// and 100 along four. A starter motor of 27 faces along eleven steps takes 80. Its solid has half
-/// as many faces as one of surfaces recognised in the mesh, but a file nine times as large.
+/// and 100 along four. A starter motor of 27 faces along eleven steps takes 80, and has
+/// 911 faces in 12 MB; with surfaces recognised in the mesh, it has 1,123 in 1 MB, after 3.
 constexpr std::size_t kFewSteps = 10, kMaxTurningFaces = 500, kMaxFacesOfManySteps = 250;
 /// Shorter moves (mm) and smaller turns (rad) are no motion.
 constexpr double kNoMove = 1e-9, kNoTurn = 1e-10;
