@@ -2,7 +2,6 @@
 #include "simplify/deviation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/parallel.h"
@@ -14,116 +13,213 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Result for one block of the work.
-struct Found {
-  double largest = 0;  // squared, mm^2
-  std::vector<FarPoint> missed, strays;
-};
+// Distances below a floor are not measured, as it suffices to know that they are smaller than the
+// largest one. If none is above the floor, the next floor is tried. Fractions of the squared
+// tolerance. A simplified surface mostly deviates by more than half of the tolerance.
+constexpr std::array<double, 3> kFloors = {0.25, 0.01, 0};
 
-class Measurement {
- public:
-  Measurement(const TriMesh& original, const NearestTriangle& nearOriginal, const TriMesh& result,
-              double spacing, double tolerance)
-      : original_(original),
-        nearOriginal_(nearOriginal),
-        result_(result),
-        spacing_(spacing),
-        limit_(tolerance * tolerance) {}
+constexpr std::size_t kBlock = 256;       // vertices or triangles of the original
+constexpr std::size_t kResultBlock = 64;  // triangles of the result
 
-  Deviation work() {
-    forward();
-    backward();
-    return {std::sqrt(all_.largest), std::move(all_.missed), std::move(all_.strays)};
-  }
-
- private:
-  // Calls part(i, found, hint) for each i < n, in blocks. `found` collects the results of a block
-  // and starts with the largest distance of earlier passes. `hint`: the nearest triangle of the
-  // last search.
-  template <class Part>
-  void forAll(std::size_t n, std::size_t block, const Part& part) {
-    std::vector<Found> found((n + block - 1) / block);
-    parallelBlocks(n, block, [&](std::size_t begin, std::size_t end) {
-      Found& own = found[begin / block];
-      own.largest = all_.largest;
-      std::int32_t hint = -1;
-      for (std::size_t i = begin; i < end; ++i) part(i, own, hint);
-    });
-    for (const Found& own : found) {
-      all_.largest = std::max(all_.largest, own.largest);
-      all_.missed.insert(all_.missed.end(), own.missed.begin(), own.missed.end());
-      all_.strays.insert(all_.strays.end(), own.strays.begin(), own.strays.end());
-    }
-  }
-  // Squared distances up to this need not be measured exactly.
-  double enough(const Found& found) const { return std::min(found.largest, limit_); }
-
-  void forward() {
-    const NearestTriangle nearest(result_.vertices, result_.triangles, NearestTriangle::Walks::Yes);
-    const auto measure = [&](const Vector3d& p, Found& found, std::int32_t& hint) {
-      if (nearest.isNear(p, enough(found), hint)) return;
-      const double d = nearest.query(p, 1e300, enough(found), hint);
-      found.largest = std::max(found.largest, d);
-      if (d > limit_) found.missed.push_back({p, footOnTriangle(p, result_, hint).point, hint});
-    };
-    std::vector<std::int32_t> nearestOf(original_.vertices.size());
-    forAll(nearestOf.size(), 2048, [&](std::size_t v, Found& found, std::int32_t& hint) {
-      measure(original_.vertices[v], found, hint);
-      nearestOf[v] = hint;
-    });
-    // If all three vertices lie near the same triangle, so does the inside, since the distance from
-    // a triangle is convex.
-    constexpr std::array<std::array<double, 2>, 7> kInner = {
-        {{1. / 3, 1. / 3}, {.5, 0}, {.5, .5}, {0, .5}, {.2, .2}, {.6, .2}, {.2, .6}}};
-    forAll(original_.triangles.size(), 2048, [&](std::size_t t, Found& found, std::int32_t& hint) {
-      const auto& tri = original_.triangles[t];
-      if (nearestOf[tri[0]] == nearestOf[tri[1]] && nearestOf[tri[0]] == nearestOf[tri[2]]) return;
-      const Vector3d &a = original_.vertices[tri[0]], &b = original_.vertices[tri[1]],
-                     &c = original_.vertices[tri[2]];
-      for (const std::int32_t v : tri) {
-        const auto isNear = [&](const Vector3d& p) {
-          return squaredDistance(p, result_, nearestOf[v]) <= enough(found);
-        };
-        if (isNear(a) && isNear(b) && isNear(c)) return;
-      }
-      hint = nearestOf[tri[0]];
-      for (const auto& [u, w] : kInner) measure(a + u * (b - a) + w * (c - a), found, hint);
-    });
-  }
-
-  void backward() {
-    forAll(result_.triangles.size(), 64, [&](std::size_t t, Found& found, std::int32_t& hint) {
-      const auto& c = result_.triangles[t];
-      FarPoint stray;
-      double farthest = limit_;
-      const auto measure = [&](const Vector3d& p) {
-        if (nearOriginal_.isNear(p, enough(found), hint)) return false;
-        const double d = nearOriginal_.query(p, 1e300, enough(found), hint);
-        found.largest = std::max(found.largest, d);
-        if (d > farthest) {
-          farthest = d;
-          stray = {footOnTriangle(p, original_, hint).point, p, static_cast<std::int32_t>(t)};
-        }
-        return false;
-      };
-      spreadPoints(result_.vertices[c[0]], result_.vertices[c[1]], result_.vertices[c[2]], spacing_,
-                   measure);
-      if (stray.triangle >= 0) found.strays.push_back(stray);
-    });
-  }
-
-  const TriMesh& original_;
-  const NearestTriangle& nearOriginal_;
-  const TriMesh& result_;
-  const double spacing_, limit_;
-  Found all_;
-};
+// Points within a triangle, as fractions of two of its sides.
+constexpr std::array<std::array<double, 2>, 7> kInner = {
+    {{1. / 3, 1. / 3}, {.5, 0}, {.5, .5}, {0, .5}, {.2, .2}, {.6, .2}, {.2, .6}}};
 
 }  // namespace
 
-Deviation measureDeviation(const TriMesh& original, const NearestTriangle& nearOriginal,
-                           const TriMesh& result, double spacing, double tolerance) {
-  return Measurement(original, nearOriginal, result, spacing, tolerance).work();
+// Searches for the nearest points of the result.
+class DeviationMeter::Forward {
+ public:
+  Forward(const DeviationMeter& meter, const TriMesh& result)
+      : meter_(meter),
+        result_(result),
+        nearest_(result.vertices, result.triangles, NearestTriangle::Walks::Yes) {
+    const auto& triangles = meter.triangles_;
+    if (!triangles.empty()) indexOf_.assign(triangles.back().number + 1, -1);
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      indexOf_[triangles[i].number] = static_cast<std::int32_t>(i);
+  }
+
+  std::int32_t numberOf(std::int32_t index) const { return meter_.triangles_[index].number; }
+  // Returns the index of a triangle in the result, or -1.
+  std::int32_t indexOf(std::int32_t number) const {
+    return number < static_cast<std::int32_t>(indexOf_.size()) ? indexOf_[number] : -1;
+  }
+
+  // `hint`: index of the triangle that the last search found.
+  void measure(const Vector3d& p, Block& to, std::int32_t& hint) const {
+    const double enough = meter_.enough(to.largest);
+    if (nearest_.isNear(p, enough, hint)) return;
+    const double d = nearest_.query(p, 1e300, enough, hint);
+    to.largest = std::max(to.largest, d);
+    if (d > meter_.limit_)
+      to.missed.push_back({p, footOnTriangle(p, result_, hint).point, numberOf(hint)});
+  }
+
+  void measureTriangle(std::size_t t, Block& to) const {
+    const TriMesh& original = meter_.original_;
+    const auto& tri = original.triangles[t];
+    const Vector3d &a = original.vertices[tri[0]], &b = original.vertices[tri[1]],
+                   &c = original.vertices[tri[2]];
+    // If all three vertices lie near the same triangle, so does the inside, since the distance from
+    // a triangle is convex.
+    const auto& of = meter_.nearestOf_;
+    if (of[tri[0]] == of[tri[1]] && of[tri[0]] == of[tri[2]]) return;
+    const double enough = meter_.enough(to.largest);
+    for (const std::int32_t v : tri) {
+      const std::int32_t near = indexOf(of[v]);
+      const auto isNear = [&](const Vector3d& p) {
+        return squaredDistance(p, result_, near) <= enough;
+      };
+      if (near >= 0 && isNear(a) && isNear(b) && isNear(c)) return;
+    }
+    std::int32_t hint = indexOf(of[tri[0]]);
+    for (const auto& [u, w] : kInner) {
+      measure(a + u * (b - a) + w * (c - a), to, hint);
+      const std::int32_t number = numberOf(hint);
+      if (to.near.empty() || to.near.back() != number) to.near.push_back(number);
+    }
+  }
+
+ private:
+  const DeviationMeter& meter_;
+  const TriMesh& result_;
+  NearestTriangle nearest_;
+  std::vector<std::int32_t> indexOf_;  // by number
+};
+
+DeviationMeter::DeviationMeter(const TriMesh& original, const NearestTriangle& nearOriginal,
+                               double spacing, double tolerance)
+    : original_(original),
+      nearOriginal_(nearOriginal),
+      spacing_(spacing),
+      limit_(tolerance * tolerance),
+      vertexBlocks_((original.vertices.size() + kBlock - 1) / kBlock),
+      triangleBlocks_((original.triangles.size() + kBlock - 1) / kBlock),
+      nearestOf_(original.vertices.size(), -1) {}
+
+double DeviationMeter::enough(double largest) const {
+  return std::clamp(largest, kFloors[floor_] * limit_, limit_);
+}
+
+Deviation DeviationMeter::measure(const TriMesh& result, const std::vector<std::int32_t>& numbers) {
+  takeResult(result, numbers);
+  double largest = 0;
+  for (;; ++floor_) {
+    measureOriginal(result);
+    measureResult();
+    for (const auto* blocks : {&vertexBlocks_, &triangleBlocks_}) {
+      for (const Block& block : *blocks) largest = std::max(largest, block.largest);
+    }
+    for (const ResultTriangle& triangle : triangles_) largest = std::max(largest, triangle.largest);
+    if (largest > 0 || floor_ + 1 == kFloors.size()) break;
+    forgetAll();
+  }
+  Deviation deviation;
+  deviation.largest = std::sqrt(largest);
+  for (const auto* blocks : {&vertexBlocks_, &triangleBlocks_}) {
+    for (const Block& block : *blocks)
+      deviation.missed.insert(deviation.missed.end(), block.missed.begin(), block.missed.end());
+  }
+  for (const ResultTriangle& triangle : triangles_) {
+    if (triangle.stray.triangle >= 0) deviation.strays.push_back(triangle.stray);
+  }
+  return deviation;
+}
+
+// Takes the triangles of the result. Those that have not changed stay measured.
+void DeviationMeter::takeResult(const TriMesh& result, const std::vector<std::int32_t>& numbers) {
+  std::vector<ResultTriangle> before = std::move(triangles_);
+  triangles_.clear();
+  std::vector<char> hasChanged(before.empty() ? 0 : before.back().number + 1, 1);
+  auto old = before.begin();
+  for (std::size_t t = 0; t < numbers.size(); ++t) {
+    const auto& tri = result.triangles[t];
+    ResultTriangle& triangle = triangles_.emplace_back(ResultTriangle{
+        numbers[t], {result.vertices[tri[0]], result.vertices[tri[1]], result.vertices[tri[2]]}});
+    while (old != before.end() && old->number < triangle.number) ++old;
+    if (old == before.end() || old->number != triangle.number || old->corners != triangle.corners)
+      continue;
+    triangle = *old;
+    hasChanged[triangle.number] = 0;
+  }
+  if (!before.empty()) forgetBlocksNear(hasChanged);
+}
+
+// Points that were near an unchanged triangle need not be measured again. If a changed triangle is
+// nearer now, the distance that was measured is an upper limit.
+void DeviationMeter::forgetBlocksNear(const std::vector<char>& hasChanged) {
+  const auto isChanged = [&](std::int32_t number) { return hasChanged[number] != 0; };
+  const auto forgetIf = [](Block& block, bool isAffected) {
+    if (isAffected || !block.missed.empty()) block = Block();
+  };
+  parallelBlocks(nearestOf_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    forgetIf(vertexBlocks_[begin / kBlock],
+             std::any_of(nearestOf_.begin() + begin, nearestOf_.begin() + end, isChanged));
+  });
+  const auto& triangles = original_.triangles;
+  parallelBlocks(triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    Block& block = triangleBlocks_[begin / kBlock];
+    const auto hasChangedVertex = [&](const std::array<std::int32_t, 3>& tri) {
+      return std::any_of(tri.begin(), tri.end(),
+                         [&](std::int32_t v) { return isChanged(nearestOf_[v]); });
+    };
+    forgetIf(block,
+             std::any_of(block.near.begin(), block.near.end(), isChanged) ||
+                 std::any_of(triangles.begin() + begin, triangles.begin() + end, hasChangedVertex));
+  });
+}
+
+void DeviationMeter::forgetAll() {
+  for (auto* blocks : {&vertexBlocks_, &triangleBlocks_}) {
+    for (Block& block : *blocks) block = Block();
+  }
+  for (ResultTriangle& triangle : triangles_) triangle.isMeasured = false;
+}
+
+void DeviationMeter::measureOriginal(const TriMesh& result) {
+  const Forward forward(*this, result);
+  parallelBlocks(nearestOf_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    Block& block = vertexBlocks_[begin / kBlock];
+    if (block.isMeasured) return;
+    block.isMeasured = true;
+    std::int32_t hint = -1;
+    for (std::size_t v = begin; v < end; ++v) {
+      forward.measure(original_.vertices[v], block, hint);
+      nearestOf_[v] = forward.numberOf(hint);
+    }
+  });
+  parallelBlocks(original_.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    Block& block = triangleBlocks_[begin / kBlock];
+    if (block.isMeasured) return;
+    block.isMeasured = true;
+    for (std::size_t t = begin; t < end; ++t) forward.measureTriangle(t, block);
+  });
+}
+
+void DeviationMeter::measureResult() {
+  parallelBlocks(triangles_.size(), kResultBlock, [&](std::size_t begin, std::size_t end) {
+    std::int32_t hint = -1;
+    double largest = 0;
+    for (std::size_t t = begin; t < end; ++t) {
+      ResultTriangle& triangle = triangles_[t];
+      if (triangle.isMeasured) continue;
+      triangle.isMeasured = true;
+      double farthest = limit_;
+      const auto& [a, b, c] = triangle.corners;
+      spreadPoints(a, b, c, spacing_, [&](const Vector3d& p) {
+        if (nearOriginal_.isNear(p, enough(largest), hint)) return false;
+        const double d = nearOriginal_.query(p, 1e300, enough(largest), hint);
+        triangle.largest = std::max(triangle.largest, d);
+        largest = std::max(largest, d);
+        if (d > farthest) {
+          farthest = d;
+          triangle.stray = {footOnTriangle(p, original_, hint).point, p, triangle.number};
+        }
+        return false;
+      });
+    }
+  });
 }
 
 }  // namespace swept

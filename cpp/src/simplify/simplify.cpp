@@ -155,15 +155,23 @@ std::optional<Simplified> Simplifier::simplifyFrom(const Level& level, double to
   watchLongEdges(state, std::vector<char>(level.mesh.triangles.size(), 0));
   CollapseLog log;
   collapseEdges(state, false, run, &log);
+  DeviationMeter meter(mesh_, nearest(), cell_, tolerance);
   std::int64_t pairsBefore = 0;
   for (int round = 0;; ++round) {
     std::vector<std::int32_t> number;
     TriMesh small = takeMesh(state, &number);
     run.checkpoint(Phase::Simplify, 3, 4);
-    const Deviation deviation = measureDeviation(mesh_, nearest(), small, cell_, tolerance);
+    const Deviation deviation = meter.measure(small, number);
     std::vector<std::int32_t> wrong;
     for (const auto* places : {&deviation.missed, &deviation.strays}) {
-      for (const FarPoint& place : *places) wrong.push_back(number[place.triangle]);
+      for (const FarPoint& place : *places) wrong.push_back(place.triangle);
+    }
+    // Where a fold was flattened, the nearest triangle may be one that never changed. So the steps
+    // at the triangle of the level are undone, too.
+    for (const FarPoint& place : deviation.missed) {
+      std::int32_t near = -1;
+      level.nearest->query(place.onOriginal, 1e300, 0, near);
+      wrong.push_back(near);
     }
     if (round == 0 && wrong.empty()) return finished(std::move(small), deviation.largest, level);
     // Undone steps restore triangles, which may intersect triangles moved by later steps.

@@ -26,7 +26,8 @@ constexpr double kFirstFraction = 0.1;  // fraction of the limit that the first 
 /// At the rim of a rod, every second merge makes a triangle slightly narrower, which later merges
 /// make up for.
 constexpr double kMinShapeKept = 0.5;
-constexpr double kMinMove = 1e-3;  // smaller displacements (fraction of the limit) do not count
+constexpr double kFoldCosine = 0.7;  // triangles turned by more than 46 degrees make a fold
+constexpr double kMinMove = 1e-3;    // smaller displacements (fraction of the limit) do not count
 
 using Corners = TriangleFans::Corners;
 
@@ -176,7 +177,13 @@ class Thinner {
     if (!fans_.staysManifold(edge)) return false;
     double deviation = 0;
     if (!newTrianglesFit(edge, limit, deviation)) return false;
-    if (parameters_.proven) deviation = provenMove(edge, scratch);
+    if (parameters_.proven) {
+      deviation = provenMove(edge, scratch);
+    } else if (parameters_.mapsFolds) {
+      takeRing(edge, scratch.ring);
+      if (isFolded(scratch.ring))
+        deviation = std::max(deviation, deviation_[fans_.start(edge)] + mappedMove(scratch.ring));
+    }
     if (deviation > limit || intersectsNeighbours(edge, scratch)) return false;
     double& before = deviation_[fans_.target(edge)];
     before = std::max(before, deviation);
@@ -193,16 +200,44 @@ class Thinner {
     } while (h != edge);
   }
 
+  // `ring` receives the neighbours of the start of `edge`, relative to it, as mappedMove() needs
+  // them.
+  void takeRing(std::int32_t edge, std::vector<Vector3d>& ring) const {
+    const Vector3d& from = points_[fans_.start(edge)];
+    ring.clear();
+    std::int32_t h = edge;
+    do {
+      ring.push_back(points_[fans_.target(h)] - from);
+      h = fans_.turn(h);
+    } while (h != edge);
+  }
+
+  // Returns whether a triangle, before or after the collapse, is turned away from the mean of the
+  // triangles around the vertex. There, points may lie near triangles that do not replace theirs.
+  static bool isFolded(const std::vector<Vector3d>& ring) {
+    const std::size_t count = ring.size();
+    Vector3d mean = Vector3d::Zero();
+    for (std::size_t k = 0; k < count; ++k) mean += ring[k].cross(ring[(k + 1) % count]);
+    const double cosine = kFoldCosine * mean.norm();
+    const auto isTurned = [&](const Vector3d& area) {
+      return area.dot(mean) < cosine * area.norm();
+    };
+    for (std::size_t k = 0; k < count; ++k) {
+      const Vector3d &a = ring[k], &b = ring[(k + 1) % count];
+      if (isTurned(a.cross(b))) return true;
+      if (k > 0 && k + 1 < count && isTurned((a - ring[0]).cross(b - ring[0]))) return true;
+    }
+    return false;
+  }
+
   // Returns how far the surface between the neighbours of u may deviate from the input mesh after
   // the collapse.
   double provenMove(std::int32_t edge, Scratch& scratch) const {
-    const Vector3d& from = points_[fans_.start(edge)];
-    scratch.ring.clear();
+    takeRing(edge, scratch.ring);
     double before = 0;
     bool touched = false;
     std::int32_t h = edge;
     do {
-      scratch.ring.push_back(points_[fans_.target(h)] - from);
       before = std::max(before, moved_[h / 3]);
       touched = touched || touched_[h / 3];
       h = fans_.turn(h);
