@@ -37,6 +37,10 @@ class Random {
   double number(double low, double high) {
     return low + (high - low) * (double(engine_()) / double(std::mt19937::max()));
   }
+  /// Returns a random index below `count`.
+  std::size_t index(std::size_t count) {
+    return uniformBelow(static_cast<std::uint32_t>(count), engine_);
+  }
   /// Returns a random point with coordinates between -half and half.
   Eigen::Vector3d point(double half) {
     return {number(-half, half), number(-half, half), number(-half, half)};

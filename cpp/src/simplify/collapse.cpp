@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/parallel.h"
@@ -21,7 +22,9 @@ using Eigen::Vector3d;
 constexpr double kWatchSpacing = 3;
 constexpr int kMaxWatched = 3;
 // Number of slabs that are processed in parallel; fixed, so that the result does not depend on the
-// number of threads.
+// number of threads. Each further axis has half as many, as fewer vertices are left. With slabs
+// across one axis only, and shifted ones around their limits, the single thread at the end took
+// twice as long as all slabs; the results had up to 6 % fewer triangles.
 constexpr std::size_t kSlabs = 16;
 // Meshes with fewer triangles are processed in one piece.
 constexpr std::size_t kWorthSlabs = 4000;
@@ -57,24 +60,23 @@ void prepare(CollapseState& state) {
   state.spacing = state.coarseness * state.tolerance;
 }
 
-// Slabs across the longest side of the bounding box, with about the same number of vertices each.
-// With `shifted`, the limits between the slabs lie in the middle of the unshifted slabs.
+// Slabs across one axis, with about the same number of unfinished vertices each.
 class Slabs {
  public:
-  Slabs(const CollapseState& state, bool shifted) : state_(state) {
-    Eigen::AlignedBox3d box;
+  /// `done`: for each vertex, 0 or more if an earlier pass has finished the vertex.
+  Slabs(const CollapseState& state, int axis, std::size_t count,
+        const std::vector<std::int32_t>& done)
+      : state_(state), axis_(axis) {
     std::vector<std::int32_t> left;
+    std::vector<double> along;
     for (std::size_t v = 0; v < state.mesh.vertices.size(); ++v) {
       if (state.gone[v]) continue;
       left.push_back(static_cast<std::int32_t>(v));
-      box.extend(state.mesh.vertices[v]);
+      if (done[v] < 0) along.push_back(state.mesh.vertices[v][axis]);
     }
-    box.sizes().maxCoeff(&axis_);
-    std::vector<double> along;
-    for (const std::int32_t v : left) along.push_back(state.mesh.vertices[v][axis_]);
     tbb::parallel_sort(along.begin(), along.end());
-    for (std::size_t i = shifted ? 0 : 1; i < kSlabs; ++i)
-      limits_.push_back(along[(2 * i + (shifted ? 1 : 0)) * along.size() / (2 * kSlabs)]);
+    for (std::size_t i = 1; i < count && !along.empty(); ++i)
+      limits_.push_back(along[i * along.size() / count]);
     partOf_.assign(state.mesh.vertices.size(), -1);
     for (const std::int32_t v : left) {
       const std::size_t own = slabOf(v);
@@ -89,19 +91,18 @@ class Slabs {
 
   const std::vector<std::int32_t>& partOf() const { return partOf_; }
 
-  /// Returns one part per slab. `done`: for each vertex, 0 or more if an earlier pass has finished
-  /// the vertex. Null: there was no earlier pass.
-  std::vector<WorkPart> parts(const std::vector<std::int32_t>* done) const {
+  /// Returns one part per slab. `done`: as above.
+  std::vector<WorkPart> parts(const std::vector<std::int32_t>& done) const {
     std::vector<WorkPart> parts(limits_.size() + 1);
     for (std::size_t s = 0; s < parts.size(); ++s) {
       parts[s].partOf = &partOf_;
       parts[s].number = static_cast<std::int32_t>(s);
-      parts[s].axis = static_cast<int>(axis_);
+      parts[s].axis = axis_;
       if (s > 0) parts[s].low = limits_[s - 1];
       if (s < limits_.size()) parts[s].high = limits_[s];
     }
     for (std::size_t v = 0; v < partOf_.size(); ++v) {
-      if (partOf_[v] >= 0 && (done == nullptr || (*done)[v] < 0))
+      if (partOf_[v] >= 0 && done[v] < 0)
         parts[partOf_[v]].vertices.push_back(static_cast<std::int32_t>(v));
     }
     for (std::size_t t = 0; t < state_.mesh.triangles.size(); ++t) {
@@ -121,10 +122,20 @@ class Slabs {
   }
 
   const CollapseState& state_;
-  Eigen::Index axis_ = 0;
+  int axis_;
   std::vector<double> limits_;
   std::vector<std::int32_t> partOf_;
 };
+
+// Returns the axes in the order of the sides of the bounding box, the longest one first.
+std::array<int, 3> axesByLength(const TriMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& p : mesh.vertices) box.extend(p);
+  const Vector3d sides = box.sizes();
+  std::array<int, 3> axes = {0, 1, 2};
+  std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return sides[a] > sides[b]; });
+  return axes;
+}
 
 std::vector<std::int32_t> trianglesLeft(const CollapseState& state) {
   std::vector<std::int32_t> left;
@@ -165,9 +176,11 @@ void collapseEdges(CollapseState& state, bool quick, RunContext& run, CollapseLo
   prepare(state);
   std::vector<std::int32_t> done(state.mesh.vertices.size(), -1);
   if (state.mesh.triangles.size() > kWorthSlabs) {
-    for (const bool shifted : {false, true}) {
-      const Slabs slabs(state, shifted);
-      const std::vector<WorkPart> parts = slabs.parts(shifted ? &done : nullptr);
+    std::size_t count = kSlabs;
+    for (const int axis : axesByLength(state.mesh)) {
+      const Slabs slabs(state, axis, count, done);
+      count /= 2;
+      const std::vector<WorkPart> parts = slabs.parts(done);
       std::vector<CollapseLog> logs(parts.size());
       parallelFor(parts.size(), [&](std::size_t p) {
         Collapser(state, parts[p], run, log != nullptr ? &logs[p] : nullptr).work();

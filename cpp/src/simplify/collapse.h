@@ -12,9 +12,10 @@
 //          open ground lie within the tolerance of the original. No new triangle intersects another
 //          one, unless the triangles that it replaces already did. A border stays near the surface
 //          of its patch and does not pass over vertices of the patch.
-// Threads: First a fixed number of slabs is processed in parallel. Triangles that lie in different
-// slabs cannot intersect. Then slabs around the limits between the first slabs are processed, and
-// finally the rest in one thread. The result does not depend on the number of threads.
+// Threads: A fixed number of slabs across the longest axis is processed in parallel. Triangles that
+// lie in different slabs cannot intersect. Then the vertices near the limits between the slabs are
+// processed in slabs across the other axes, and finally the rest in one thread. The result does not
+// depend on the number of threads.
 // Cost:    about 30 us per collapse.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

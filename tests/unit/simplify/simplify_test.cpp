@@ -66,6 +66,12 @@ double oneSided(const TriMesh& from, const TriMesh& to, int points) {
   return largest;
 }
 
+std::vector<std::int32_t> numbersOf(const TriMesh& mesh) {
+  std::vector<std::int32_t> numbers(mesh.triangles.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
 const std::vector<Pose> kTurned = {poseOf(0, placement({1, 2, 3}, 25, {0, 0, 0}))};
 
 std::vector<Pose> bend() {
@@ -212,6 +218,29 @@ TEST(Thin, MakesNoPairsWhereSidesFold) {
   }
 }
 
+/// The envelope of a heap of thin plates has narrow folds. A vertex of a fold can be near triangles
+/// that do not replace its own.
+TEST(Thin, FoldsStayWithinTheLimit) {
+  Random random(7);
+  TriMesh plates;
+  for (int n = 0; n < 60; ++n) {
+    const Eigen::Vector3d half(random.number(1, 6), random.number(1, 6), random.number(0.02, 0.1));
+    append(plates,
+           transformed(makeBox(-half, half),
+                       placement(random.point(1), random.number(0, 180), random.point(10))));
+  }
+  const Result result = sweep(plates, bend(), 128, 0);
+  const double limit = 0.025 * result.report.cellSize;
+  RunContext run;
+  const Thinned thin = thinOut(result.mesh, limit, ThinFor::Collapse, Phase::Simplify, run);
+  const NearestTriangle nearest(result.mesh.vertices, result.mesh.triangles,
+                                NearestTriangle::Walks::Yes);
+  const Deviation deviation =
+      DeviationMeter(result.mesh, nearest, limit, limit).measure(thin.mesh, numbersOf(thin.mesh));
+  EXPECT_LT(thin.mesh.triangles.size(), 0.6 * static_cast<double>(result.mesh.triangles.size()));
+  EXPECT_LT(deviation.largest, 3 * limit);
+}
+
 TEST(Thin, TrianglesAmongKeptVerticesStay) {
   const TriMesh torus = makeTorus(6, 2, 120, 60);
   std::vector<char> kept(torus.vertices.size(), 0);
@@ -327,7 +356,7 @@ TEST(Deviation, NamesWhatIsMissedAndWhatStrays) {
   const auto measure = [](const TriMesh& original, const TriMesh& result) {
     const NearestTriangle nearest(original.vertices, original.triangles,
                                   NearestTriangle::Walks::Yes);
-    return measureDeviation(original, nearest, result, 0.05, 0.3);
+    return DeviationMeter(original, nearest, 0.05, 0.3).measure(result, numbersOf(result));
   };
   const Deviation same = measure(ball, ball);
   EXPECT_NEAR(same.largest, 0, 1e-12);
@@ -359,6 +388,38 @@ TEST(Deviation, NamesWhatIsMissedAndWhatStrays) {
     EXPECT_GT((place.onOriginal - place.onResult).norm(), 0.3);
   }
   EXPECT_EQ(named, about);
+}
+
+/// Triangles of the result disappear, appear again, and move, so that other places deviate.
+TEST(Deviation, IsTheSameIfOnlyChangesAreMeasured) {
+  const TriMesh original = makeBall({0, 0, 0}, 5, 5);
+  const NearestTriangle nearest(original.vertices, original.triangles, NearestTriangle::Walks::Yes);
+  const double spacing = 0.05, tolerance = 0.3;
+  TriMesh result = makeBall({0, 0, 0}, 5, 3);
+  DeviationMeter meter(original, nearest, spacing, tolerance);
+  Random random(5);
+  for (int round = 0; round < 12; ++round) {
+    for (int n = 0; n < 3; ++n) {
+      auto& p = result.vertices[random.index(result.vertices.size())];
+      p *= random.number(4.6, 5.4) / p.norm();
+    }
+    TriMesh part{result.vertices, {}};
+    std::vector<std::int32_t> numbers;
+    for (const std::int32_t t : numbersOf(result)) {
+      if (random.index(200) == 0) continue;
+      part.triangles.push_back(result.triangles[t]);
+      numbers.push_back(t);
+    }
+    const Deviation changed = meter.measure(part, numbers);
+    const Deviation all =
+        DeviationMeter(original, nearest, spacing, tolerance).measure(part, numbers);
+    EXPECT_EQ(changed.missed.empty(), all.missed.empty()) << round;
+    EXPECT_EQ(changed.missed.size(), all.missed.size()) << round;
+    ASSERT_EQ(changed.strays.size(), all.strays.size()) << round;
+    for (std::size_t i = 0; i < all.strays.size(); ++i)
+      EXPECT_EQ(changed.strays[i].triangle, all.strays[i].triangle) << round;
+    EXPECT_NEAR(changed.largest, all.largest, 1e-9) << round;
+  }
 }
 
 TEST(MovingBoxes, FindWhatAllBoxesTogetherFind) {
