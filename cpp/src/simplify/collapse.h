@@ -46,6 +46,11 @@ class LabelSurface {
 /// A Border vertex moves only along the border of its patch; a Fixed vertex does not move.
 enum class VertexKind : char { Free, Border, Fixed };
 
+/// How densely new triangles around a vertex are sampled. Folded: triangles around the vertex are
+/// turned away from each other. Deviated: steps were undone there, because a point deviated too
+/// far.
+enum class Care : char { Normal, Folded, Deviated };
+
 struct CollapseState {
   double tolerance = 0;
   Phase phase = Phase::Simplify;
@@ -58,22 +63,22 @@ struct CollapseState {
   /// For each triangle, points that must stay near it.
   std::vector<std::vector<Eigen::Vector3d>> attached;
   std::vector<char> dead;  ///< for each triangle, 1 if it was removed
-  /// For each vertex, 1 if new triangles around it are sampled at half the tolerance. A vertex that
-  /// is merged into another passes this flag on. Empty: no vertex has the flag.
-  std::vector<char> careful;
-  /// Spacing of the sample points on all other new triangles, in tolerances. The value comes from a
-  /// trial: the bunny test mesh moved over 16 keys, at 512 cells, tolerance 0.5 mm. After the first
-  /// round, 10 places deviated too much with coarseness 1.5, by at most 1.1 tolerances; with 3, 11
-  /// places by at most 1.2; with 5, 48 places by 1.3; with 8, 53 places by 2.1.
+  /// Spacing of the sample points on new triangles with Care::Normal, in tolerances. The value
+  /// comes from a trial: the bunny test mesh moved over 16 keys, at 512 cells, tolerance 0.5 mm.
+  /// After the first round, 10 places deviated too much with coarseness 1.5, by at most 1.1
+  /// tolerances; with 3, 11 places by at most 1.2; with 5, 48 places by 1.3; with 8, 53 places
+  /// by 2.1.
   double coarseness = 3;
+  /// For each vertex. A vertex that is merged into another passes the larger care on. Empty: set by
+  /// collapseEdges().
+  std::vector<Care> care;
   /// For each vertex, a triangle of the original near the vertex; -1 if unknown. Empty: all are
   /// unknown.
   std::vector<std::int32_t> nearby;
 
   // collapseEdges() sets the members below.
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< origin of the quadrics
-  double spacing = 0;  ///< spacing of the sample points on new triangles, mm
-  std::vector<std::vector<std::int32_t>> around;  ///< for each vertex, its triangles
+  std::vector<std::vector<std::int32_t>> around;     ///< for each vertex, its triangles
   std::vector<Quadric> quadric;
   std::vector<char> gone;            ///< for each vertex, 1 if it was removed
   std::vector<std::uint32_t> stamp;  ///< for each vertex, how often it has changed

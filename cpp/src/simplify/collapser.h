@@ -71,6 +71,7 @@ class Collapser {
   bool reattachPoints(std::int32_t triangle, std::int32_t before);
   bool reattach(const Point& p, std::int32_t before);
   bool isNearOriginal(const Point& p);
+  double spacingFor(Care care) const;
   bool staysNearOriginal(std::int32_t from, std::int32_t to, const Point& position);
   bool intersectsOthers();
   bool intersectedBefore(std::int32_t other) const;

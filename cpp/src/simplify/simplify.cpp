@@ -24,7 +24,7 @@ constexpr double kFirstLevel = 0.025;  ///< limit of the first level, in cells
 /// between the points may deviate more.
 constexpr double kPointFraction = 0.97;
 constexpr double kLessEachRound = 0.9;  ///< factor of the tolerance after a round that failed
-constexpr int kRounds = 4;              ///< rounds of improvement
+constexpr int kRounds = 8;              ///< rounds of improvement
 /// Steps undone at each triangle that deviates too far, in the first round; doubled in each further
 /// round.
 constexpr int kFirstDepth = 2;
@@ -51,15 +51,35 @@ void attachMissed(CollapseState& state, const std::vector<std::int32_t>& changed
   }
 }
 
+// Restored triangles may intersect triangles that later steps have moved. Undoes steps there until
+// no more than `pairs` pairs of triangles intersect. Adds the changed triangles to `changed`.
+void undoIntersecting(CollapseState& state, CollapseLog& log, std::int64_t pairs,
+                      std::vector<std::int32_t>& changed, RunContext& run) {
+  for (int depth = 1;; depth *= 2) {
+    std::vector<std::int32_t> number;
+    const SelfIntersections found = findSelfIntersections(takeMesh(state, &number), {}, run);
+    if (found.count <= pairs) return;
+    std::vector<std::int32_t> wrong;
+    for (const auto& [a, b] : found.pairs) wrong.insert(wrong.end(), {number[a], number[b]});
+    const std::vector<std::int32_t> more = log.takeBack(state, wrong, depth);
+    if (more.empty()) return;
+    changed.insert(changed.end(), more.begin(), more.end());
+  }
+}
+
 // Undoes steps at triangles that deviate too far, and collapses again with denser sample points.
-// Returns false if no step can be undone.
+// `pairs`: number of pairs of triangles that intersected before. Returns false if no step can be
+// undone.
 bool improve(CollapseState& state, CollapseLog& log, const std::vector<std::int32_t>& wrong,
-             const std::vector<FarPoint>& missed, int depth, RunContext& run) {
-  const std::vector<std::int32_t> changed = log.takeBack(state, wrong, depth);
+             const std::vector<FarPoint>& missed, int depth, std::int64_t pairs, RunContext& run) {
+  std::vector<std::int32_t> changed = log.takeBack(state, wrong, depth);
   if (changed.empty()) return false;
+  undoIntersecting(state, log, pairs, changed, run);
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   attachMissed(state, changed, missed);
   for (const std::int32_t t : changed) {
-    for (const std::int32_t v : state.mesh.triangles[t]) state.careful[v] = 1;
+    for (const std::int32_t v : state.mesh.triangles[t]) state.care[v] = Care::Deviated;
   }
   collapseAgain(state, changed, run, log);
   return true;
@@ -156,7 +176,7 @@ std::optional<Simplified> Simplifier::simplifyFrom(const Level& level, double to
   CollapseLog log;
   collapseEdges(state, false, run, &log);
   DeviationMeter meter(mesh_, nearest(), cell_, tolerance);
-  std::int64_t pairsBefore = 0;
+  std::int64_t pairs = 0;
   for (int round = 0;; ++round) {
     std::vector<std::int32_t> number;
     TriMesh small = takeMesh(state, &number);
@@ -166,6 +186,7 @@ std::optional<Simplified> Simplifier::simplifyFrom(const Level& level, double to
     for (const auto* places : {&deviation.missed, &deviation.strays}) {
       for (const FarPoint& place : *places) wrong.push_back(place.triangle);
     }
+    if (wrong.empty()) return finished(std::move(small), deviation.largest, level);
     // Where a fold was flattened, the nearest triangle may be one that never changed. So the steps
     // at the triangle of the level are undone, too.
     for (const FarPoint& place : deviation.missed) {
@@ -173,17 +194,9 @@ std::optional<Simplified> Simplifier::simplifyFrom(const Level& level, double to
       level.nearest->query(place.onOriginal, 1e300, 0, near);
       wrong.push_back(near);
     }
-    if (round == 0 && wrong.empty()) return finished(std::move(small), deviation.largest, level);
-    // Undone steps restore triangles, which may intersect triangles moved by later steps.
-    const SelfIntersections intersecting = findSelfIntersections(small, {}, run);
-    if (round == 0) pairsBefore = intersecting.count;
-    if (intersecting.count > pairsBefore) {
-      for (const auto& [a, b] : intersecting.pairs)
-        wrong.insert(wrong.end(), {number[a], number[b]});
-    }
-    if (wrong.empty()) return finished(std::move(small), deviation.largest, level);
+    if (round == 0) pairs = findSelfIntersections(small, {}, run).count;
     if (round == kRounds ||
-        !improve(state, log, wrong, deviation.missed, kFirstDepth << round, run)) {
+        !improve(state, log, wrong, deviation.missed, kFirstDepth << round, pairs, run)) {
       keepAround(deviation.missed, kept);
       return std::nullopt;
     }

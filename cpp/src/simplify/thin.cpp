@@ -11,6 +11,7 @@
 #include "geometry/quadric.h"
 #include "geometry/self_intersections.h"
 #include "geometry/triangle_pairs.h"
+#include "simplify/folds.h"
 #include "simplify/mapped_move.h"
 #include "simplify/thin_parameters.h"
 #include "simplify/triangle_fans.h"
@@ -26,8 +27,7 @@ constexpr double kFirstFraction = 0.1;  // fraction of the limit that the first 
 /// At the rim of a rod, every second merge makes a triangle slightly narrower, which later merges
 /// make up for.
 constexpr double kMinShapeKept = 0.5;
-constexpr double kFoldCosine = 0.7;  // triangles turned by more than 46 degrees make a fold
-constexpr double kMinMove = 1e-3;    // smaller displacements (fraction of the limit) do not count
+constexpr double kMinMove = 1e-3;  // smaller displacements (fraction of the limit) do not count
 
 using Corners = TriangleFans::Corners;
 
@@ -218,14 +218,10 @@ class Thinner {
     const std::size_t count = ring.size();
     Vector3d mean = Vector3d::Zero();
     for (std::size_t k = 0; k < count; ++k) mean += ring[k].cross(ring[(k + 1) % count]);
-    const double cosine = kFoldCosine * mean.norm();
-    const auto isTurned = [&](const Vector3d& area) {
-      return area.dot(mean) < cosine * area.norm();
-    };
     for (std::size_t k = 0; k < count; ++k) {
       const Vector3d &a = ring[k], &b = ring[(k + 1) % count];
-      if (isTurned(a.cross(b))) return true;
-      if (k > 0 && k + 1 < count && isTurned((a - ring[0]).cross(b - ring[0]))) return true;
+      if (isFold(a.cross(b), mean)) return true;
+      if (k > 0 && k + 1 < count && isFold((a - ring[0]).cross(b - ring[0]), mean)) return true;
     }
     return false;
   }
