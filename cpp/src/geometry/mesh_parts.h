@@ -1,4 +1,4 @@
-// Copies triangles of a mesh into another mesh, and computes the box of a mesh.
+// The box of a mesh, the area vector of a triangle, and copies of triangles.
 //
 // Units: those of the mesh. Cost: O(1) per triangle; O(vertices) for the box.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -17,6 +17,13 @@ inline Eigen::AlignedBox3d boxOf(const TriMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : mesh.vertices) box.extend(p);
   return box;
+}
+
+/// Returns the normal of a triangle, with twice the area as its length.
+inline Eigen::Vector3d areaVector(const TriMesh& mesh,
+                                  const std::array<std::int32_t, 3>& triangle) {
+  const Eigen::Vector3d& a = mesh.vertices[triangle[0]];
+  return (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a);
 }
 
 /// Appends a triangle of `from` to `mesh`, and those of its vertices that `mesh` lacks. `number`:

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/mesh_parts.h"
+
 namespace swept::path {
 namespace {
 
@@ -32,8 +34,7 @@ std::vector<Direction> directionsOf(const std::vector<const TriMesh*>& meshes) {
       if (counted++ % step != 0) continue;
       if (std::any_of(t.begin(), t.end(), [&](std::int32_t v) { return v < 0 || v >= count; }))
         continue;  // invalid index; an error is reported when the mesh becomes a Part
-      const Vector3d& a = mesh->vertices[t[0]];
-      const Vector3d n = (mesh->vertices[t[1]] - a).cross(mesh->vertices[t[2]] - a);
+      const Vector3d n = areaVector(*mesh, t);
       const double area = n.norm();
       if (!(area > 0) || !std::isfinite(area)) continue;
       const auto same = std::find_if(list.begin(), list.end(), [&](const Direction& d) {

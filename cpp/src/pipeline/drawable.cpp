@@ -9,6 +9,7 @@
 
 #include "base/lists_by_key.h"
 #include "geometry/half_edges.h"
+#include "geometry/mesh_parts.h"
 
 namespace swept {
 namespace {
@@ -25,15 +26,9 @@ constexpr double kMaxCells = 0x1fffff;
 /// Corners of one vertex share a point if the cosine between their normals is above this.
 constexpr double kSameNormal = 0.999;
 
-/// Returns the normal of a triangle, with twice the area as its length.
-Vector3d areaNormal(const TriMesh& mesh, const Triangle& t) {
-  const Vector3d& a = mesh.vertices[t[0]];
-  return (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
-}
-
 double areaOf(const TriMesh& mesh) {
   double twice = 0;
-  for (const Triangle& t : mesh.triangles) twice += areaNormal(mesh, t).norm();
+  for (const Triangle& t : mesh.triangles) twice += areaVector(mesh, t).norm();
   return 0.5 * twice;
 }
 
@@ -127,7 +122,7 @@ TriMesh clustered(const TriMesh& mesh, double cell) {
   for (std::size_t c = 0; c < members.size(); ++c) out.vertices[c] /= members[c];
   std::vector<Planes> planes(out.vertices.size());
   for (const Triangle& t : mesh.triangles) {
-    const Vector3d normal = areaNormal(mesh, t);
+    const Vector3d normal = areaVector(mesh, t);
     const double weight = normal.norm();
     if (!(weight > 0)) continue;
     const Vector3d unit = normal / weight;
@@ -183,7 +178,7 @@ Drawable drawableOf(const TriMesh& given, std::size_t maxTriangles, double creas
   const TriMesh& mesh = tooMany ? reduced : given;
   std::vector<Vector3d> normals(mesh.triangles.size()), units(mesh.triangles.size());
   for (std::size_t t = 0; t < normals.size(); ++t) {
-    normals[t] = areaNormal(mesh, mesh.triangles[t]);
+    normals[t] = areaVector(mesh, mesh.triangles[t]);
     units[t] = normals[t].normalized();
   }
   ListsByKey corners = halfEdgesByVertex(mesh);

@@ -37,22 +37,18 @@ constexpr std::size_t kSlabs = 16;
 // Meshes with fewer triangles are processed in one piece.
 constexpr std::size_t kWorthSlabs = 4000;
 
-Vector3d areaOf(const TriMesh& mesh, std::size_t t) {
-  const auto& c = mesh.triangles[t];
-  return (mesh.vertices[c[1]] - mesh.vertices[c[0]])
-      .cross(mesh.vertices[c[2]] - mesh.vertices[c[0]]);
-}
-
 // Finds the vertices with triangles that are turned away from the mean of the triangles there.
 void findFolds(CollapseState& state) {
   if (!state.care.empty()) return;
   state.care.assign(state.around.size(), Care::Normal);
   for (std::size_t v = 0; v < state.around.size(); ++v) {
+    const auto area = [&](std::int32_t t) {
+      return areaVector(state.mesh, state.mesh.triangles[t]);
+    };
     Vector3d mean = Vector3d::Zero();
-    for (const std::int32_t t : state.around[v]) mean += areaOf(state.mesh, t);
-    const bool isFolded =
-        std::any_of(state.around[v].begin(), state.around[v].end(),
-                    [&](std::int32_t t) { return isFold(areaOf(state.mesh, t), mean); });
+    for (const std::int32_t t : state.around[v]) mean += area(t);
+    const bool isFolded = std::any_of(state.around[v].begin(), state.around[v].end(),
+                                      [&](std::int32_t t) { return isFold(area(t), mean); });
     if (isFolded) state.care[v] = Care::Folded;
   }
 }
@@ -73,9 +69,8 @@ void prepare(CollapseState& state) {
   state.origin /= static_cast<double>(count);
   for (std::size_t t = 0; t < triangles; ++t) {
     const auto& tri = state.mesh.triangles[t];
-    const Vector3d &a = state.mesh.vertices[tri[0]], &b = state.mesh.vertices[tri[1]],
-                   &c = state.mesh.vertices[tri[2]];
-    const Vector3d area = (b - a).cross(c - a);
+    const Vector3d& a = state.mesh.vertices[tri[0]];
+    const Vector3d area = areaVector(state.mesh, tri);
     const double twice = area.norm();
     Quadric plane;
     if (twice > 0) plane.addPlane(area / twice, a - state.origin, twice);
@@ -156,9 +151,7 @@ class Slabs {
 
 // Returns the axes in the order of the sides of the bounding box, the longest one first.
 std::array<int, 3> axesByLength(const TriMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& p : mesh.vertices) box.extend(p);
-  const Vector3d sides = box.sizes();
+  const Vector3d sides = boxOf(mesh).sizes();
   std::array<int, 3> axes = {0, 1, 2};
   std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return sides[a] > sides[b]; });
   return axes;
@@ -186,7 +179,9 @@ void watchLongEdges(CollapseState& state, const std::vector<char>& watched) {
       const Vector3d &a = mesh.vertices[tri[k]], &b = mesh.vertices[tri[(k + 1) % 3]];
       const std::size_t h = 3 * t + k;
       const Watch& watch =
-          isFold(areaOf(mesh, t), areaOf(mesh, across[h] / 3)) ? kWatchFolds : kWatch;
+          isFold(areaVector(mesh, tri), areaVector(mesh, mesh.triangles[across[h] / 3]))
+              ? kWatchFolds
+              : kWatch;
       const auto between = static_cast<int>(
           std::min<double>(watch.most, (b - a).norm() / (watch.spacing * state.tolerance)));
       isLong = isLong || between > 0;

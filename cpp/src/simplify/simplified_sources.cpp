@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "geometry/mesh_parts.h"
 
 namespace swept {
 namespace {
@@ -16,11 +17,6 @@ using Eigen::Vector3d;
 /// A triangle is divided into at most this many rows of equal triangles, and sampled at their
 /// centroids.
 constexpr int kMaxRows = 4;
-
-Vector3d doubledArea(const TriMesh& mesh, std::size_t t) {
-  const auto& [a, b, c] = mesh.triangles[t];
-  return (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
-}
 
 bool sameSource(const SurfaceSource& a, const SurfaceSource& b) {
   return a.kind == b.kind && a.step == b.step && a.faces == b.faces;
@@ -72,7 +68,7 @@ Sources sourcesOfSimplified(const TriMesh& surface, const NearestTriangle& neare
     for (std::size_t t = begin; t < end; ++t) {
       const auto& tri = mesh.triangles[t];
       const Vector3d &a = mesh.vertices[tri[0]], ab = mesh.vertices[tri[1]] - a,
-                     ac = mesh.vertices[tri[2]] - a, normal = doubledArea(mesh, t),
+                     ac = mesh.vertices[tri[2]] - a, normal = areaVector(mesh, mesh.triangles[t]),
                      middle = a + (ab + ac) / 3;
       const int n = static_cast<int>(
           std::clamp(std::ceil(std::sqrt(normal.norm()) / spacing), 1.0, double{kMaxRows}));
@@ -81,7 +77,8 @@ Sources sourcesOfSimplified(const TriMesh& surface, const NearestTriangle& neare
         const Vector3d p = a + u / (3 * n) * ab + v / (3 * n) * ac;
         nearest.query(p, HUGE_VAL, 0, hint);
         const std::uint32_t row = sources.of[hint];
-        if (row == Sources::kNone || doubledArea(surface, hint).dot(normal) <= 0) return;
+        if (row == Sources::kNone || areaVector(surface, surface.triangles[hint]).dot(normal) <= 0)
+          return;
         votes.add(row, (p - middle).squaredNorm());
       };
       for (int i = 0; i < n; ++i) {

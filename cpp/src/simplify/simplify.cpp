@@ -55,7 +55,8 @@ void attachMissed(CollapseState& state, const std::vector<std::int32_t>& changed
 // no more than `pairs` pairs of triangles intersect. Adds the changed triangles to `changed`.
 void undoIntersecting(CollapseState& state, CollapseLog& log, std::int64_t pairs,
                       std::vector<std::int32_t>& changed, RunContext& run) {
-  for (int depth = 1;; depth *= 2) {
+  constexpr int kAllSteps = 1 << 20;
+  for (int depth = 1;; depth = std::min(2 * depth, kAllSteps)) {
     std::vector<std::int32_t> number;
     const SelfIntersections found = findSelfIntersections(takeMesh(state, &number), {}, run);
     if (found.count <= pairs) return;

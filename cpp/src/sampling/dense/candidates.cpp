@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/sort_unique.h"
+#include "geometry/mesh_parts.h"
 #include "sampling/dense/dense_sampler.h"
 
 namespace swept::dense {
@@ -65,9 +66,7 @@ class CandidateSearch {
  private:
   void setNormals() {
     for (const auto& t : input_.body.triangles) {
-      const Eigen::Vector3d& a = input_.body.vertices[t[0]];
-      const Eigen::Vector3d twice =
-          (input_.body.vertices[t[1]] - a).cross(input_.body.vertices[t[2]] - a);
+      const Eigen::Vector3d twice = areaVector(input_.body, t);
       for (const std::int32_t v : t) normals_[v] += twice;
     }
     for (Eigen::Vector3d& normal : normals_) {

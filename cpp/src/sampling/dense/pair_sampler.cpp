@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "geometry/mesh_parts.h"
 #include "grid/rasterise.h"
 #include "grid/snap.h"
 
@@ -39,10 +40,7 @@ void PairSampler::addWhole(std::uint32_t placement) {
 }
 
 double PairSampler::workOf(std::uint32_t face) const {
-  const auto& t = input_.body.triangles[face];
-  const Eigen::Vector3d& a = input_.body.vertices[t[0]];
-  const double area =
-      (input_.body.vertices[t[1]] - a).cross(input_.body.vertices[t[2]] - a).norm() / 2;
+  const double area = areaVector(input_.body, input_.body.triangles[face]).norm() / 2;
   return expectedCrossings(area / (input_.grid.cell * input_.grid.cell));
 }
 
