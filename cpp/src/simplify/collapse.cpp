@@ -41,6 +41,7 @@ constexpr std::size_t kWorthSlabs = 4000;
 void findFolds(CollapseState& state) {
   if (!state.care.empty()) return;
   state.care.assign(state.around.size(), Care::Normal);
+  if (!state.denserAtFolds) return;
   for (std::size_t v = 0; v < state.around.size(); ++v) {
     const auto area = [&](std::int32_t t) {
       return areaVector(state.mesh, state.mesh.triangles[t]);
@@ -179,7 +180,8 @@ void watchLongEdges(CollapseState& state, const std::vector<char>& watched) {
       const Vector3d &a = mesh.vertices[tri[k]], &b = mesh.vertices[tri[(k + 1) % 3]];
       const std::size_t h = 3 * t + k;
       const Watch& watch =
-          isFold(areaVector(mesh, tri), areaVector(mesh, mesh.triangles[across[h] / 3]))
+          state.denserAtFolds &&
+                  isFold(areaVector(mesh, tri), areaVector(mesh, mesh.triangles[across[h] / 3]))
               ? kWatchFolds
               : kWatch;
       const auto between = static_cast<int>(

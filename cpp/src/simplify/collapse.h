@@ -69,6 +69,9 @@ struct CollapseState {
   /// tolerances; with 3, 11 places by at most 1.2; with 5, 48 places by 1.3; with 8, 53 places
   /// by 2.1.
   double coarseness = 3;
+  /// Whether points are closer together at folds (folds.h). Solids do not need it; it would give
+  /// the solids of five test meshes 2 to 8 % more faces.
+  bool denserAtFolds = true;
   /// For each vertex. A vertex that is merged into another passes the larger care on. Empty: set by
   /// collapseEdges().
   std::vector<Care> care;

@@ -54,6 +54,7 @@ class Decimator {
         run_(run) {
     state_.tolerance = tolerance;
     state_.coarseness = kCoarseness;
+    state_.denserAtFolds = false;
     state_.phase = Phase::Export;
     state_.original = &original;
     state_.mesh = {in_.points, in_.triangles};
