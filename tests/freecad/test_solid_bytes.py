@@ -93,6 +93,8 @@ def both(one, other, shift):
 SLIDE = ([0, 1], [[0, 0, 0, 1]] * 2, [[0, 0, 0], [30, 4, 0]])
 TURN = ([0, 1], [[0, 0, 0, 1], [0, 0, 0.28, 0.96]], [[0, 0, 0], [20, 0, 5]])
 #: name -> (mesh, tolerance, motion). With a motion, the solid is that of the envelope of the mesh.
+#: Of these solids, no edge lies off its faces: the core's kernel would cut it, FreeCAD as a reader
+#: does not find it.
 CASES = {
     "box": (box(3, 2, 1), 0, None),
     "cylinder": (cone(4, 4, 12, 96), 0.02, None),
@@ -103,7 +105,7 @@ CASES = {
     "two bodies": (both(torus(20, 6, 96, 48), box(4, 3, 2), 40), 0.1, None),
     "ball": (ball(7, 24), 0.05, None),
     "box along x": (box(10, 20, 30), 0.1, SLIDE),
-    "box that turns": (box(10, 20, 30), 0.2, TURN),
+    "box that turns": (box(10, 20, 30), 0.15, TURN),
     "cylinder along x": (cone(6, 6, 10, 64), 0.2, SLIDE),
     "ball along x": (ball(6, 24), 0.2, SLIDE),
 }

@@ -26,7 +26,9 @@ struct FarPoint {
 };
 
 struct Deviation {
-  double largest = 0;            ///< mm, largest distance in either direction
+  /// mm, largest distance in either direction. Where a triangle that has changed is now nearer than
+  /// the one found earlier, the earlier distance counts.
+  double largest = 0;
   std::vector<FarPoint> missed;  ///< found at points of the original
   /// For each triangle of the result that is too far away, its farthest point; in ascending order
   /// of the triangles.

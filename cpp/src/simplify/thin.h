@@ -6,9 +6,10 @@
 // Units:   mm.
 // Promise: The displacements of the collapses add up, for each vertex, to no more than the limit. A
 // displacement is the larger of two distances: of the removed vertex from the new triangles, and of
-// the middles of new edges from the old triangles. Each vertex has its own sum, so the surface
-// around several moved vertices may deviate slightly more. A caller that needs a bound on the
-// distance must measure it, unless the purpose is Sweep.
+// the middles of new edges from the old triangles. At folds (folds.h), it is a bound for all points
+// around the vertex (mapped_move.h). Each vertex has its own sum, so the surface around several
+// moved vertices may deviate slightly more. A caller that needs a bound on the distance must
+// measure it, unless the purpose is Sweep.
 // Order:   rounds with growing limits instead of a priority queue. The limit is a small part of the
 //          final tolerance, so the order of the collapses matters little.
 // Cost:    O(n) for n vertices, about 2 us per vertex. Each round works on a fixed number of parts
