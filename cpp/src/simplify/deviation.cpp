@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 // tolerance. A simplified surface mostly deviates by more than half of the tolerance.
 constexpr std::array<double, 3> kFloors = {0.25, 0.01, 0};
 
-constexpr std::size_t kBlock = 256;       // vertices or triangles of the original
-constexpr std::size_t kResultBlock = 64;  // triangles of the result
+constexpr std::size_t kOriginalBlock = 256;  // vertices or triangles of the original
+constexpr std::size_t kResultBlock = 64;     // triangles of the result
 
 // Points within a triangle, as fractions of two of its sides.
 constexpr std::array<std::array<double, 2>, 7> kInner = {
@@ -94,8 +94,8 @@ DeviationMeter::DeviationMeter(const TriMesh& original, const NearestTriangle& n
       nearOriginal_(nearOriginal),
       spacing_(spacing),
       limit_(tolerance * tolerance),
-      vertexBlocks_((original.vertices.size() + kBlock - 1) / kBlock),
-      triangleBlocks_((original.triangles.size() + kBlock - 1) / kBlock),
+      vertexBlocks_((original.vertices.size() + kOriginalBlock - 1) / kOriginalBlock),
+      triangleBlocks_((original.triangles.size() + kOriginalBlock - 1) / kOriginalBlock),
       nearestOf_(original.vertices.size(), -1) {}
 
 double DeviationMeter::enough(double largest) const {
@@ -153,13 +153,13 @@ void DeviationMeter::forgetBlocksNear(const std::vector<char>& hasChanged) {
   const auto forgetIf = [](Block& block, bool isAffected) {
     if (isAffected || !block.missed.empty()) block = Block();
   };
-  parallelBlocks(nearestOf_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    forgetIf(vertexBlocks_[begin / kBlock],
+  parallelBlocks(nearestOf_.size(), kOriginalBlock, [&](std::size_t begin, std::size_t end) {
+    forgetIf(vertexBlocks_[begin / kOriginalBlock],
              std::any_of(nearestOf_.begin() + begin, nearestOf_.begin() + end, isChanged));
   });
   const auto& triangles = original_.triangles;
-  parallelBlocks(triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    Block& block = triangleBlocks_[begin / kBlock];
+  parallelBlocks(triangles.size(), kOriginalBlock, [&](std::size_t begin, std::size_t end) {
+    Block& block = triangleBlocks_[begin / kOriginalBlock];
     const auto hasChangedVertex = [&](const std::array<std::int32_t, 3>& tri) {
       return std::any_of(tri.begin(), tri.end(),
                          [&](std::int32_t v) { return isChanged(nearestOf_[v]); });
@@ -179,8 +179,8 @@ void DeviationMeter::forgetAll() {
 
 void DeviationMeter::measureOriginal(const TriMesh& result) {
   const Forward forward(*this, result);
-  parallelBlocks(nearestOf_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    Block& block = vertexBlocks_[begin / kBlock];
+  parallelBlocks(nearestOf_.size(), kOriginalBlock, [&](std::size_t begin, std::size_t end) {
+    Block& block = vertexBlocks_[begin / kOriginalBlock];
     if (block.isMeasured) return;
     block.isMeasured = true;
     std::int32_t hint = -1;
@@ -189,12 +189,13 @@ void DeviationMeter::measureOriginal(const TriMesh& result) {
       nearestOf_[v] = forward.numberOf(hint);
     }
   });
-  parallelBlocks(original_.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    Block& block = triangleBlocks_[begin / kBlock];
-    if (block.isMeasured) return;
-    block.isMeasured = true;
-    for (std::size_t t = begin; t < end; ++t) forward.measureTriangle(t, block);
-  });
+  parallelBlocks(original_.triangles.size(), kOriginalBlock,
+                 [&](std::size_t begin, std::size_t end) {
+                   Block& block = triangleBlocks_[begin / kOriginalBlock];
+                   if (block.isMeasured) return;
+                   block.isMeasured = true;
+                   for (std::size_t t = begin; t < end; ++t) forward.measureTriangle(t, block);
+                 });
 }
 
 void DeviationMeter::measureResult() {
