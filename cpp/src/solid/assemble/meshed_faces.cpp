@@ -76,8 +76,8 @@ MeshedFaces::MeshedFaces(const std::vector<SweptFace>& faces, double deflection)
   TopoDS_Compound all;
   builder.MakeCompound(all);
   for (const SweptFace& face : faces) builder.Add(all, face.face);
-  constexpr double kAngle = 0.1;
-  BRepMesh_IncrementalMesh(all, deflection, Standard_False, kAngle, Standard_True);
+  constexpr double kMeshAngle = 0.1;
+  BRepMesh_IncrementalMesh(all, deflection, Standard_False, kMeshAngle, Standard_True);
   for (TopExp_Explorer it(all, TopAbs_EDGE); it.More(); it.Next()) {
     if (!BRep_Tool::Degenerated(TopoDS::Edge(it.Current()))) edges_.Add(it.Current());
   }

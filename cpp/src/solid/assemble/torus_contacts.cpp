@@ -206,12 +206,12 @@ Vector3d TorusContacts::atAngleOf(int curve, const Vector3d& p, double s) const 
 }
 
 void TorusContacts::findCurves(double sign, Range on) {
-  constexpr double kNear = 0.004;  // rad: narrower bends would need too many poles
-  constexpr double kBeyond = 0.3;  // rad: how far the surfaces may extend beyond the range
+  constexpr double kNear = 0.004;      // rad: narrower bends would need too many poles
+  constexpr double kAroundFace = 0.3;  // rad: how far the surfaces may extend beyond the range
   const auto isRegular = [&](double s) {
     const auto bends = bendsAt(on, s);
     return std::none_of(bends.begin(), bends.end(), [&](const Bend& bend) {
-      return bend.width < kNear && bend.at > on.from - kBeyond && bend.at < on.to + kBeyond;
+      return bend.width < kNear && bend.at > on.from - kAroundFace && bend.at < on.to + kAroundFace;
     });
   };
   for (const Range& s : regularTimes(isRegular, [&](Range r) { return quickestChange(on, r); })) {
