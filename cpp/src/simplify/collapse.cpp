@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "geometry/half_edges.h"
 #include "geometry/mesh_parts.h"
 #include "simplify/collapser.h"
@@ -39,7 +40,6 @@ constexpr std::size_t kWorthSlabs = 4000;
 
 // Finds the vertices with triangles that are turned away from the mean of the triangles there.
 void findFolds(CollapseState& state) {
-  if (!state.care.empty()) return;
   state.care.assign(state.around.size(), Care::Normal);
   if (!state.denserAtFolds) return;
   for (std::size_t v = 0; v < state.around.size(); ++v) {
@@ -86,10 +86,11 @@ void prepare(CollapseState& state) {
 // Slabs across one axis, with about the same number of unfinished vertices each.
 class Slabs {
  public:
-  /// `done`: for each vertex, 0 or more if an earlier pass has finished the vertex.
+  /// `done`: for each vertex, 0 or more if an earlier pass has finished the vertex. Keeps a
+  /// reference to it.
   Slabs(const CollapseState& state, int axis, std::size_t count,
         const std::vector<std::int32_t>& done)
-      : state_(state), axis_(axis) {
+      : state_(state), done_(done), axis_(axis) {
     std::vector<std::int32_t> left;
     std::vector<double> along;
     for (std::size_t v = 0; v < state.mesh.vertices.size(); ++v) {
@@ -114,8 +115,8 @@ class Slabs {
 
   const std::vector<std::int32_t>& partOf() const { return partOf_; }
 
-  /// Returns one part per slab. `done`: as above.
-  std::vector<WorkPart> parts(const std::vector<std::int32_t>& done) const {
+  /// Returns one part per slab.
+  std::vector<WorkPart> parts() const {
     std::vector<WorkPart> parts(limits_.size() + 1);
     for (std::size_t s = 0; s < parts.size(); ++s) {
       parts[s].partOf = &partOf_;
@@ -125,7 +126,7 @@ class Slabs {
       if (s < limits_.size()) parts[s].high = limits_[s];
     }
     for (std::size_t v = 0; v < partOf_.size(); ++v) {
-      if (partOf_[v] >= 0 && done[v] < 0)
+      if (partOf_[v] >= 0 && done_[v] < 0)
         parts[partOf_[v]].vertices.push_back(static_cast<std::int32_t>(v));
     }
     for (std::size_t t = 0; t < state_.mesh.triangles.size(); ++t) {
@@ -145,6 +146,7 @@ class Slabs {
   }
 
   const CollapseState& state_;
+  const std::vector<std::int32_t>& done_;
   int axis_;
   std::vector<double> limits_;
   std::vector<std::int32_t> partOf_;
@@ -205,7 +207,7 @@ void collapseEdges(CollapseState& state, bool quick, RunContext& run, CollapseLo
     for (const int axis : axesByLength(state.mesh)) {
       const Slabs slabs(state, axis, count, done);
       count /= 2;
-      const std::vector<WorkPart> parts = slabs.parts(done);
+      const std::vector<WorkPart> parts = slabs.parts();
       std::vector<CollapseLog> logs(parts.size());
       parallelFor(parts.size(), [&](std::size_t p) {
         Collapser(state, parts[p], run, log != nullptr ? &logs[p] : nullptr).work();
@@ -231,8 +233,7 @@ void collapseAgain(CollapseState& state, const std::vector<std::int32_t>& triang
     const auto& tri = state.mesh.triangles[t];
     all.vertices.insert(all.vertices.end(), tri.begin(), tri.end());
   }
-  std::sort(all.vertices.begin(), all.vertices.end());
-  all.vertices.erase(std::unique(all.vertices.begin(), all.vertices.end()), all.vertices.end());
+  sortUnique(all.vertices);
   all.triangles = trianglesLeft(state);
   Collapser(state, all, run, &log).work();
 }

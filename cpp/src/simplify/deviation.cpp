@@ -25,6 +25,13 @@ constexpr std::size_t kResultBlock = 64;     // triangles of the result
 constexpr std::array<std::array<double, 2>, 7> kInner = {
     {{1. / 3, 1. / 3}, {.5, 0}, {.5, .5}, {0, .5}, {.2, .2}, {.6, .2}, {.2, .6}}};
 
+// Returns the squared distance of p from a mesh; 0 if it is at most `enough`. `hint`: the triangle
+// that the last search found.
+double distanceAbove(double enough, const Vector3d& p, const NearestTriangle& nearest,
+                     std::int32_t& hint) {
+  return nearest.isNear(p, enough, hint) ? 0 : nearest.query(p, 1e300, enough, hint);
+}
+
 }  // namespace
 
 // Searches for the nearest points of the result.
@@ -48,9 +55,7 @@ class DeviationMeter::Forward {
 
   // `hint`: index of the triangle that the last search found.
   void measure(const Vector3d& p, Block& to, std::int32_t& hint) const {
-    const double enough = meter_.enough(to.largest);
-    if (nearest_.isNear(p, enough, hint)) return;
-    const double d = nearest_.query(p, 1e300, enough, hint);
+    const double d = distanceAbove(meter_.enough(to.largest), p, nearest_, hint);
     to.largest = std::max(to.largest, d);
     if (d > meter_.limit_)
       to.missed.push_back({p, footOnTriangle(p, result_, hint).point, numberOf(hint)});
@@ -209,8 +214,7 @@ void DeviationMeter::measureResult() {
       double farthest = limit_;
       const auto& [a, b, c] = triangle.corners;
       spreadPoints(a, b, c, spacing_, [&](const Vector3d& p) {
-        if (nearOriginal_.isNear(p, enough(largest), hint)) return false;
-        const double d = nearOriginal_.query(p, 1e300, enough(largest), hint);
+        const double d = distanceAbove(enough(largest), p, nearOriginal_, hint);
         triangle.largest = std::max(triangle.largest, d);
         largest = std::max(largest, d);
         if (d > farthest) {

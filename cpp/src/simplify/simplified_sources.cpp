@@ -68,7 +68,7 @@ Sources sourcesOfSimplified(const TriMesh& surface, const NearestTriangle& neare
     for (std::size_t t = begin; t < end; ++t) {
       const auto& tri = mesh.triangles[t];
       const Vector3d &a = mesh.vertices[tri[0]], ab = mesh.vertices[tri[1]] - a,
-                     ac = mesh.vertices[tri[2]] - a, normal = areaVector(mesh, mesh.triangles[t]),
+                     ac = mesh.vertices[tri[2]] - a, normal = areaVector(mesh, tri),
                      middle = a + (ab + ac) / 3;
       const int n = static_cast<int>(
           std::clamp(std::ceil(std::sqrt(normal.norm()) / spacing), 1.0, double{kMaxRows}));
