@@ -207,6 +207,31 @@ std::vector<TopoDS_Shape> roundBodies() {
           BRepPrimAPI_MakeSphere(axes, 4, 0.2, 1.3, M_PI / 2).Shape()};
 }
 
+// Each point of a half also has a foot on the other half: on the far side of the axis or the tube.
+TEST(BodyGeometry, KnowsOnWhichHalfOfAClosedFaceAPointLies) {
+  for (const TopoDS_Shape& shape :
+       {BRepPrimAPI_MakeCylinder(2, 5).Shape(), BRepPrimAPI_MakeCone(3, 1, 4).Shape(),
+        BRepPrimAPI_MakeTorus(6, 2).Shape(), BRepPrimAPI_MakeSphere(4).Shape()}) {
+    const BodyGeometry body(shape);
+    int count = 0;
+    for (std::size_t f = 0; f < body.faces.size(); ++f) {
+      if (body.surfaceOf(static_cast<int>(f)).isPlane()) continue;
+      const BRepAdaptor_Surface kernel(body.faces[f].shape);
+      for (const double part : {0.1, 0.4, 0.9}) {
+        const Eigen::Vector2d on = body.faces[f].range.min() + part * body.faces[f].range.sizes();
+        const gp_Pnt p = kernel.Value(on.x(), on.y());
+        for (std::size_t g = 0; g < body.faces.size(); ++g) {
+          if (body.faces[g].surface != body.faces[f].surface) continue;
+          EXPECT_EQ(body.placeOf(static_cast<int>(g), {p.X(), p.Y(), p.Z()}),
+                    f == g ? TopAbs_IN : TopAbs_OUT);
+          ++count;
+        }
+      }
+    }
+    EXPECT_GE(count, 12);
+  }
+}
+
 TEST(BodyGeometry, RoundSurfacesHaveTheNormalsAndParametersOfTheKernel) {
   for (const TopoDS_Shape& shape : roundBodies()) {
     const BodyGeometry body(shape);
@@ -215,7 +240,7 @@ TEST(BodyGeometry, RoundSurfacesHaveTheNormalsAndParametersOfTheKernel) {
       const BodySurface& surface = body.surfaceOf(static_cast<int>(f));
       if (surface.isPlane()) continue;
       ASSERT_NE(surface.kind, BodySurface::Kind::Other);
-      const Eigen::AlignedBox2d range = body.parameterRange(static_cast<int>(f));
+      const Eigen::AlignedBox2d range = body.faces[f].range;
       const BRepAdaptor_Surface kernel(body.faces[f].shape);
       for (const double part : {0.1, 0.5, 0.9}) {
         const Eigen::Vector2d on = range.min() + part * range.sizes();
@@ -402,7 +427,7 @@ TEST(EnvelopeConditions, FacesAndEdgesMoveOutwardOrInward) {
   for (std::size_t f = 0; f < body.faces.size(); ++f) {
     if (signOf(static_cast<int>(f)) == 0) continue;
     const TopoDS_Face posed = start.of(body.faces[f]);
-    const Eigen::Vector2d middle = body.parameterRange(static_cast<int>(f)).center();
+    const Eigen::Vector2d middle = body.faces[f].range.center();
     EXPECT_LT(conditions.ofCap(posed, 0)(middle) * signOf(static_cast<int>(f)), 0);
     ++faces;
   }

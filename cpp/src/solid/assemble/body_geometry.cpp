@@ -110,6 +110,12 @@ TopoDS_Shape withoutClosedParts(const TopoDS_Shape& body) {
   return divided;
 }
 
+Eigen::AlignedBox2d parameterRange(const TopoDS_Face& face) {
+  Vector2d low, high;
+  BRepTools::UVBounds(face, low.x(), high.x(), low.y(), high.y());
+  return {low, high};
+}
+
 BodySurface surfaceOfFace(const TopoDS_Face& face) {
   using Kind = BodySurface::Kind;
   const BRepAdaptor_Surface adaptor(face, Standard_False);
@@ -258,6 +264,9 @@ BodyGeometry::BodyGeometry(const TopoDS_Shape& body) : shape(withoutClosedParts(
     BodyFace& face = faces.emplace_back();
     face.shape = TopoDS::Face(faceMap(f));
     const BodySurface surface = face.own = surfaceOfFace(face.shape);
+    constexpr double kOnBorder = 1e-6;  // of the parameters
+    face.range = parameterRange(face.shape);
+    face.border = std::make_shared<BRepTopAdaptor_FClass2d>(face.shape, kOnBorder);
     const auto same = std::find_if(surfaces.begin(), surfaces.end(),
                                    [&](const BodySurface& other) { return surface.isSame(other); });
     face.surface = static_cast<int>(same - surfaces.begin());
@@ -319,14 +328,12 @@ double BodyGeometry::convexity(const BodyEdge& edge) const {
 }
 
 Range BodyGeometry::anglesOf(int f) const {
-  const Eigen::AlignedBox2d range = parameterRange(f);
-  return {range.min().x(), range.max().x()};
+  return {faces[f].range.min().x(), faces[f].range.max().x()};
 }
 
-Eigen::AlignedBox2d BodyGeometry::parameterRange(int f) const {
-  Vector2d low, high;
-  BRepTools::UVBounds(faces[f].shape, low.x(), high.x(), low.y(), high.y());
-  return {low, high};
+TopAbs_State BodyGeometry::placeOf(int f, const Vector3d& p) const {
+  const Vector2d on = surfaceOf(f).parametersOf(p, faces[f].range.center());
+  return faces[f].border->Perform(gp_Pnt2d(on.x(), on.y()));
 }
 
 bool BodyGeometry::isCorner(int vertex, int f) const {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
 #include <Eigen/Geometry>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
@@ -80,6 +81,8 @@ struct BodyFace {
   int surface = 0;  ///< of the body; other faces on it may have other parameters
   BodySurface own;  ///< with the parameters of this face
   std::vector<int> edges;
+  Eigen::AlignedBox2d range;  ///< of the kernel's parameters
+  std::shared_ptr<const BRepTopAdaptor_FClass2d> border;
 };
 
 /// The parts of a body. Closed faces are cut in two. Faces may share a surface.
@@ -98,8 +101,10 @@ struct BodyGeometry {
   Eigen::Vector3d intoFace(const BodyEdge& edge, int f, double u) const;
   /// Returns the range of the kernel's angle around the axis on a face.
   Range anglesOf(int f) const;
-  /// Returns the range of the kernel's parameters of a face.
-  Eigen::AlignedBox2d parameterRange(int f) const;
+  /// Returns whether a point of the surface of a face is inside or outside of the face, or on its
+  /// border. The kernel's classifier for points in space does not tell: of a cylinder's two halves,
+  /// it takes each for the one on which the point is.
+  TopAbs_State placeOf(int f, const Eigen::Vector3d& p) const;
   /// Returns whether a plane face has an angle of less than 180 degrees at a vertex.
   bool isCorner(int vertex, int f) const;
   /// Other edges sweep no surface of the envelope.

@@ -28,6 +28,8 @@
 #include <map>
 #include <utility>
 
+#include "solid/assemble/fitted_edge.h"
+
 namespace swept::step {
 namespace {
 
@@ -197,6 +199,7 @@ class Divider {
           continue;
         }
         const bool isReversed = vertices.FindIndex(TopExp::FirstVertex(*same)) != first;
+        replacedBy_[same->TShape().get()].push_back(part);
         part = TopoDS::Edge(same->Oriented(isReversed ? TopAbs_REVERSED : TopAbs_FORWARD));
       }
     }
@@ -231,8 +234,16 @@ class Divider {
 
   void addCurveOn(const TopoDS_Face& face, const TopoDS_Edge& edge) const {
     double from, to;
-    if (BRep_Tool::CurveOnSurface(edge, face, from, to).IsNull())
-      BOPTools_AlgoTools2D::BuildPCurveForEdgeOnFace(edge, face, context_);
+    if (!BRep_Tool::CurveOnSurface(edge, face, from, to).IsNull()) return;
+    // Where many poles are near, the kernel takes 0.1 s.
+    const auto replaced = replacedBy_.find(edge.TShape().get());
+    if (replaced != replacedBy_.end()) {
+      const double far = 2 * BRep_Tool::Tolerance(edge);
+      for (const TopoDS_Edge& twin : replaced->second) {
+        if (addCurveOfTwin(face, edge, twin, far)) return;
+      }
+    }
+    BOPTools_AlgoTools2D::BuildPCurveForEdgeOnFace(edge, face, context_);
   }
 
   bool divide(std::size_t f, TopoDS_Compound& to) {
@@ -303,6 +314,7 @@ class Divider {
   TopTools_IndexedMapOfShape edges_;
   std::vector<std::vector<TopoDS_Edge>> parts_;  // by edge; empty if it is degenerated
   std::vector<TopoDS_Vertex> vertices_;
+  std::map<const void*, std::vector<TopoDS_Edge>> replacedBy_;
   double least_;
   std::vector<double> near_;                     // by vertex: twice its tolerance
   std::vector<std::vector<TopoDS_Edge>> inner_;  // by face

@@ -2,7 +2,6 @@
 #include "solid/assemble/envelope_conditions.h"
 
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepTopAdaptor_FClass2d.hxx>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -53,29 +52,19 @@ Condition EnvelopeConditions::ofSheet(std::size_t edge) const {
 std::vector<Condition> EnvelopeConditions::ofGraze(int surface, const ContactCurves& curves,
                                                    int curve) const {
   const BodyGeometry& body = moving_->body;
-  struct Border {
-    int face;
-    Vector2d middle;  // of the parameters of the face
-    std::shared_ptr<BRepTopAdaptor_FClass2d> border;
-  };
-  std::vector<Border> faces;
+  std::vector<int> faces;
   for (std::size_t f = 0; f < body.faces.size(); ++f) {
-    if (body.faces[f].surface != surface) continue;
-    // A contact curve may run along a border between two faces.
-    constexpr double kOnBorder = 1e-6;
-    const int face = static_cast<int>(f);
-    faces.push_back({face, body.parameterRange(face).center(),
-                     std::make_shared<BRepTopAdaptor_FClass2d>(body.faces[f].shape, kOnBorder)});
+    if (body.faces[f].surface == surface) faces.push_back(static_cast<int>(f));
   }
   const double length = moving_->motions[step_].length();
   const auto isInFace = [moving = moving_, curves, faces, curve, length](const Vector2d& on) {
     const Vector3d p = curves.at(curve, on.x(), on.y() / length);
     if (!p.allFinite() || !curves.doesOwn(curve, on.x())) return -1.0;
-    for (const Border& of : faces) {
-      const Vector2d q = moving->body.surfaceOf(of.face).parametersOf(p, of.middle);
-      if (of.border->Perform(gp_Pnt2d(q.x(), q.y())) != TopAbs_OUT) return 1.0;
-    }
-    return -1.0;
+    // A contact curve may run along a border between two faces.
+    const bool isInside = std::any_of(faces.begin(), faces.end(), [&](int f) {
+      return moving->body.placeOf(f, p) != TopAbs_OUT;
+    });
+    return isInside ? 1.0 : -1.0;
   };
   const auto isOutside = [moving = moving_, step = step_, curves, surface, curve,
                           length](const Vector2d& on) {

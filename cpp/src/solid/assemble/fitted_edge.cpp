@@ -2,9 +2,17 @@
 #include "solid/assemble/fitted_edge.h"
 
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <BSplCLib.hxx>
 #include <Geom2d_BSplineCurve.hxx>
+#include <GeomAdaptor_Curve.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_Surface.hxx>
 #include <Precision.hxx>
+#include <ShapeAnalysis_Curve.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <algorithm>
+#include <gp.hxx>
 
 #include "solid/assemble/interpolate_curve.h"
 #include "solid/assemble/kernel_geometry.h"
@@ -47,6 +55,58 @@ bool addCurveOn(const TopoDS_Face& face, const TopoDS_Edge& edge,
       range);
   if (!fitted) return false;
   BRep_Builder().UpdateEdge(edge, kernelCurveOn(*fitted, scale), face, Precision::Confusion());
+  return true;
+}
+
+bool addCurveOfTwin(const TopoDS_Face& face, const TopoDS_Edge& edge, const TopoDS_Edge& twin,
+                    double far) {
+  constexpr int kSamples = 64, kTests = 16;
+  Range range, of;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+  const Handle(Geom2d_Curve) known = BRep_Tool::CurveOnSurface(twin, face, of.from, of.to);
+  if (known.IsNull() || BRep_Tool::IsClosed(twin, face)) return false;
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  const GeomAdaptor_Curve along(BRep_Tool::Curve(twin, of.from, of.to), of.from, of.to);
+  std::vector<std::pair<double, gp_Pnt>> samples;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double t = of.at(static_cast<double>(i) / kSamples);
+    samples.emplace_back(t, along.Value(t));
+  }
+  const auto on = [&](double t) {
+    const gp_Pnt p = curve->Value(t);
+    const auto isNearer = [&](const auto& a, const auto& b) {
+      return a.second.SquareDistance(p) < b.second.SquareDistance(p);
+    };
+    const double start = std::min_element(samples.begin(), samples.end(), isNearer)->first;
+    gp_Pnt foot;
+    double found = start;
+    ShapeAnalysis_Curve().NextProject(start, along, p, Precision::Confusion(), foot, found);
+    return known->Value(std::clamp(found, of.from, of.to));
+  };
+  const gp_Pnt2d middle = on(range.at(0.5));
+  gp_Pnt p;
+  gp_Vec u, v;
+  surface->D1(middle.X(), middle.Y(), p, u, v);
+  const Vector2d scale(u.Magnitude(), v.Magnitude());
+  if (scale.minCoeff() < gp::Resolution()) return false;
+  const auto fitted = fitSpline(
+      [&](double t) {
+        const gp_Pnt2d q = on(t);
+        return Vector3d(q.X() * scale.x(), q.Y() * scale.y(), 0);
+      },
+      range, std::max(kCurveBound, far / 10));
+  if (!fitted) return false;
+  const auto result = Handle(Geom2d_BSplineCurve)::DownCast(kernelCurveOn(*fitted, scale));
+  TColStd_Array1OfReal knots(1, result->NbKnots());
+  result->Knots(knots);
+  BSplCLib::Reparametrize(range.from, range.to, knots);
+  result->SetKnots(knots);
+  for (int i = 0; i <= kTests; ++i) {
+    const double t = range.at(static_cast<double>(i) / kTests);
+    const gp_Pnt2d q = result->Value(t);
+    if (surface->Value(q.X(), q.Y()).Distance(curve->Value(t)) > far) return false;
+  }
+  BRep_Builder().UpdateEdge(edge, result, face, Precision::Confusion());
   return true;
 }
 

@@ -23,4 +23,10 @@ bool addCurveOn(const TopoDS_Face& face, const TopoDS_Edge& edge,
                 const std::function<Eigen::Vector2d(double)>& on, const Eigen::Vector2d& scale,
                 Range range);
 
+/// Adds the curve of another edge in the parameters of a face to an edge at the same place. `far`:
+/// mm, how far the edges may be from each other. Returns false if the other edge has no curve on
+/// the face, or if a point of this curve is farther from the edge.
+bool addCurveOfTwin(const TopoDS_Face& face, const TopoDS_Edge& edge, const TopoDS_Edge& twin,
+                    double far);
+
 }  // namespace swept::step

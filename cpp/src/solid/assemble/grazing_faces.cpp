@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepClass_FaceClassifier.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_Line.hxx>
@@ -181,9 +180,7 @@ std::vector<Range> TurningStep::partsIn(int f, const Graze& graze, double s) con
     const Range w{crossings[i], crossings[i + 1]};
     if (w.length() < Precision::Confusion()) continue;
     const Vector3d middle = curves.at(graze.curve, w.at(0.5), s);
-    const BRepClass_FaceClassifier place(body_.faces[f].shape, pointOf(middle),
-                                         Precision::Confusion());
-    if (place.State() == TopAbs_IN) parts.push_back(w);
+    if (body_.placeOf(f, middle) == TopAbs_IN) parts.push_back(w);
   }
   return parts;
 }
@@ -215,7 +212,7 @@ void TurningStep::appendContactCurve(const Graze& graze, int time, int f, Range 
   const TopoDS_Edge edge = contactEdge(graze, time, w);
   if (edge.IsNull()) return;
   if (!surface.isPlane()) {
-    const Vector2d near = body_.parameterRange(f).center();
+    const Vector2d near = body_.faces[f].range.center();
     const auto onCap = [&](double x) {
       const Vector3d p = curves.at(graze.curve, x, time);
       return cap < static_cast<int>(fixed_.count()) ? fixed_.parametersOf(cap, motion_.at(p, time))

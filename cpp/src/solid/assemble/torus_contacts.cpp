@@ -70,7 +70,7 @@ std::optional<Range> TorusContacts::anglesOnFaces(const BodyGeometry& body, int 
   std::vector<Extent> extents;
   for (std::size_t f = 0; f < body.faces.size(); ++f) {
     if (body.faces[f].surface == index)
-      extents.push_back({&body.faces[f].own, body.parameterRange(static_cast<int>(f))});
+      extents.push_back({&body.faces[f].own, body.faces[f].range});
   }
   const auto isOnFace = [&](double angle) {
     for (int i = 0; i <= kTimes; ++i) {
