@@ -12,6 +12,7 @@
 #include <Bnd_Box.hxx>
 #include <Geom2d_Curve.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_Curve.hxx>
 #include <IntTools_Context.hxx>
 #include <Precision.hxx>
@@ -235,9 +236,10 @@ class Divider {
   void addCurveOn(const TopoDS_Face& face, const TopoDS_Edge& edge) const {
     double from, to;
     if (!BRep_Tool::CurveOnSurface(edge, face, from, to).IsNull()) return;
-    // Where many poles are near, the kernel takes 0.1 s.
+    // The kernel is quick and exact on surfaces with formulas. On splines it takes up to 0.1 s.
     const auto replaced = replacedBy_.find(edge.TShape().get());
-    if (replaced != replacedBy_.end()) {
+    const bool isSpline = BRep_Tool::Surface(face)->IsKind(STANDARD_TYPE(Geom_BSplineSurface));
+    if (isSpline && replaced != replacedBy_.end()) {
       const double far = 2 * BRep_Tool::Tolerance(edge);
       for (const TopoDS_Edge& twin : replaced->second) {
         if (addCurveOfTwin(face, edge, twin, far)) return;
