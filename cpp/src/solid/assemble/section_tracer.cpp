@@ -36,6 +36,14 @@ bool areConnected(const PointOnBoth& a, const PointOnBoth& b) {
          std::abs(secant.dot(b.tangent)) >= kMinCosine * b.sine;
 }
 
+// Returns whether the points turn back before the next one. At the end of an edge that sweeps one
+// of the faces, two curves may leave a point of contact side by side; the triangles join them.
+bool doesTurnBack(const std::vector<PointOnBoth>& points, const PointOnBoth& next) {
+  if (points.size() < 2) return false;
+  const Vector3d last = points.back().at;
+  return (last - points[points.size() - 2].at).dot(next.at - last) < 0;
+}
+
 // Returns whether one of the faces turns back between the points.
 bool isFoldBetween(const PointOnBoth& a, const PointOnBoth& b) {
   return a.jets[0].normal().dot(b.jets[0].normal()) < 0 ||
@@ -286,6 +294,10 @@ std::vector<SectionTracer::Run> SectionTracer::runsOf(
           (run.points.back().at - point->at).norm() < kNearest * faces_.deflection()) {
         if (!isExact) continue;
         if (run.points.size() > 1) run.points.pop_back();
+      }
+      if (doesTurnBack(run.points, *point)) {
+        if (!isInBoth(run.points.back())) run.points.pop_back();
+        finish();
       }
       if (!run.points.empty() &&
           (!areConnected(run.points.back(), *point) || isFoldBetween(run.points.back(), *point)))
