@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "solid/assemble/contacts_within.h"
+#include "solid/assemble/crossing_times.h"
 #include "solid/assemble/fitted_edge.h"
 #include "solid/assemble/kernel_geometry.h"
 
@@ -150,15 +151,18 @@ void TurningStep::findTimes() {
   const auto surfacesAt = [&](const BodyEdge& edge) -> Surfaces {
     return std::minmax({body_.faces[edge.faces[0]].surface, body_.faces[edge.faces[1]].surface});
   };
-  std::map<Surfaces, std::vector<double>> pinches;
+  std::map<Surfaces, std::vector<double>> cuts;
   std::vector<char> sweeps(body_.edges.size());
   times_ = {0, 1};
   for (std::size_t e = 0; e < body_.edges.size(); ++e) {
     const BodyEdge& edge = body_.edges[e];
     sweeps[e] = doesSweep(edge);
     if (!sweeps[e]) continue;
-    const std::vector<double> found = motion_.pinchesOf(edge);
-    std::vector<double>& all = pinches[surfacesAt(edge)];
+    std::vector<double> found = motion_.pinchesOf(edge);
+    const auto crossings = crossingTimes(
+        [&](double u, double s) { return motion_.at(edge.at(u), s); }, edge.range, found);
+    found.insert(found.end(), crossings.begin(), crossings.end());
+    std::vector<double>& all = cuts[surfacesAt(edge)];
     all.insert(all.end(), found.begin(), found.end());
     times_.insert(times_.end(), found.begin(), found.end());
   }
@@ -173,7 +177,7 @@ void TurningStep::findTimes() {
     const BodyEdge& edge = body_.edges[e];
     if (!sweeps[e]) continue;
     std::set<int> own{0, last};
-    for (const double s : pinches[surfacesAt(edge)]) {
+    for (const double s : cuts[surfacesAt(edge)]) {
       const auto after = std::lower_bound(times_.begin(), times_.end(), s - kOneTime);
       own.insert(std::min(last, static_cast<int>(after - times_.begin())));
     }

@@ -156,7 +156,7 @@ class TurningStep {
   TurningFaces& to_;
   std::array<const std::vector<int>*, 2> caps_{};  // at the start and the end
   std::vector<ContactCurves> curves_;              // by surface of the body
-  std::vector<double> times_;  // of pinches, and the start and the end of the step
+  std::vector<double> times_;  // at which sheets are cut, and the start and the end of the step
   std::vector<PosedBody> between_;
   std::vector<const PosedBody*> posed_;         // by time
   std::vector<std::vector<VertexPath>> paths_;  // by vertex
