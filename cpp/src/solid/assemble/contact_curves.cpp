@@ -33,9 +33,12 @@ ContactCurves::ContactCurves(const BodyGeometry& body, int index, const StepPath
     case Kind::Cone:
       break;
     case Kind::Torus:
-      torus_.emplace(body, index, path);
-      for (std::size_t i = 0; i < torus_->count(); ++i)
-        curves_.push_back({Course::Whole, 1, torus_->times(static_cast<int>(i))});
+      for (const Range& s : TorusContacts::timesOf(surface_, path)) {
+        tori_.push_back({count(), TorusContacts(body, index, path, s)});
+        const TorusContacts& torus = tori_.back().contacts;
+        for (std::size_t i = 0; i < torus.count(); ++i)
+          curves_.push_back({Course::Whole, 1, torus.times(static_cast<int>(i))});
+      }
       findChanges();
       return;
     case Kind::Other:
@@ -180,7 +183,10 @@ Vector3d ContactCurves::onCircles(const Curve& curve, double w, double s) const 
 }
 
 Vector3d ContactCurves::at(int curve, double w, double s) const {
-  if (torus_) return torus_->at(curve, w, s);
+  if (!tori_.empty()) {
+    const TorusCurves& torus = torusOf(curve);
+    return torus.contacts.at(curve - torus.first, w, s);
+  }
   if (!surface_.isPlane()) return onCircles(curves_[curve], w, s);
   const Moment moment(path_, s);
   return origin_ + w * along_ - surface_.axis.dot(moment.linear) / size_ * across_;
@@ -196,7 +202,10 @@ double ContactCurves::positionOnTurn(Course course, const Vector3d& p, double s)
 }
 
 double ContactCurves::positionAt(int curve, const Vector3d& p, double s) const {
-  if (torus_) return torus_->positionAt(curve, p, s);
+  if (!tori_.empty()) {
+    const TorusCurves& torus = torusOf(curve);
+    return torus.contacts.positionAt(curve - torus.first, p, s);
+  }
   const Course course = curves_[curve].course;
   if (course != Course::Whole) return positionOnTurn(course, p, s);
   const double along = (p - origin_).dot(along_) / std::cos(surface_.slope);
@@ -210,8 +219,13 @@ double ContactCurves::positionAt(int curve, const Vector3d& p, double s) const {
 int ContactCurves::curveOf(const Vector3d& p, double s) const {
   if (surface_.isPlane()) return count() - 1;
   const auto distance = [&](int curve) {
-    const Vector3d there =
-        torus_ ? torus_->atAngleOf(curve, p, s) : at(curve, positionAt(curve, p, s), s);
+    Vector3d there;
+    if (tori_.empty()) {
+      there = at(curve, positionAt(curve, p, s), s);
+    } else {
+      const TorusCurves& torus = torusOf(curve);
+      there = torus.contacts.atAngleOf(curve - torus.first, p, s);
+    }
     return there.allFinite() ? (there - p).norm() : HUGE_VAL;
   };
   int nearest = kNoCurve;
@@ -227,9 +241,22 @@ int ContactCurves::curveOf(const Vector3d& p, double s) const {
 }
 
 Range ContactCurves::extent(int curve) const {
-  if (torus_) return torus_->extent(curve);
+  if (!tori_.empty()) return torusOf(curve).contacts.extent(curve - torusOf(curve).first);
   if (curves_[curve].course == Course::Whole) return extent_;
   return {-extent_.length(), extent_.length()};
+}
+
+int ContactCurves::otherHalf(int curve) const {
+  if (tori_.empty()) return kNoCurve;
+  const TorusCurves& torus = torusOf(curve);
+  const int other = torus.contacts.otherHalf(curve - torus.first);
+  return other == TorusContacts::kNone ? kNoCurve : torus.first + other;
+}
+
+const ContactCurves::TorusCurves& ContactCurves::torusOf(int curve) const {
+  std::size_t k = tori_.size() - 1;
+  while (tori_[k].first > curve) --k;
+  return tori_[k];
 }
 
 Range ContactCurves::extentOf(const BodyGeometry& body, int index) const {

@@ -60,7 +60,7 @@ class ContactCurves {
   Range extent(int curve) const;
   /// Returns the other half of a curve that runs around an axis, or kNoCurve. Each half begins
   /// where the other one ends.
-  int otherHalf(int curve) const { return torus_ ? torus_->otherHalf(curve) : kNoCurve; }
+  int otherHalf(int curve) const;
   /// Returns whether a position belongs to the curve: not to its other half.
   bool doesOwn(int curve, double w) const {
     if (otherHalf(curve) == kNoCurve) return true;
@@ -124,7 +124,15 @@ class ContactCurves {
   Eigen::Vector3d origin_;  // of the positions
   Eigen::Vector3d along_, across_;
   double size_ = 0;  // of axis x angular
-  std::optional<TorusContacts> torus_;
+  // A torus within a range of times; `first`: the index of its first curve.
+  struct TorusCurves {
+    int first;
+    TorusContacts contacts;
+  };
+  // Returns the torus of a curve.
+  const TorusCurves& torusOf(int curve) const;
+
+  std::vector<TorusCurves> tori_;
   std::vector<Curve> curves_;
   std::vector<double> changes_{0, 1};
   Range extent_;

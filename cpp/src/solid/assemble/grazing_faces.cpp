@@ -161,12 +161,20 @@ void TurningStep::appendContactCurves(const Graze& graze, int time) {
   }
 }
 
-std::vector<Range> TurningStep::partsIn(int f, const Graze& graze, double s) const {
+std::vector<Range> TurningStep::partsIn(int f, const Graze& graze, double s,
+                                        const Graze* next) const {
   const ContactCurves& curves = curves_[graze.surface];
   std::vector<double> crossings;
   if (curves.otherHalf(graze.curve) != ContactCurves::kNoCurve) {
     const Range half = curves.extent(graze.curve);
     crossings = {half.from, half.to};
+  }
+  if (next != nullptr && curves.otherHalf(next->curve) != ContactCurves::kNoCurve) {
+    const Range half = curves.extent(next->curve);
+    for (const double end : {half.from, half.to}) {
+      const double w = curves.positionAt(graze.curve, curves.at(next->curve, end, s), s);
+      if (curves.doesOwn(graze.curve, w)) crossings.push_back(w);
+    }
   }
   for (const Vector3d& p : contactsOnBorder(f, s)) {
     const double w = curves.positionAt(graze.curve, p, s);
@@ -230,7 +238,7 @@ void TurningStep::appendChange(const Graze& graze, const Graze& next) {
   const ContactCurves& curves = curves_[graze.surface];
   for (std::size_t f = 0; f < body_.faces.size(); ++f) {
     if (body_.faces[f].surface != graze.surface) continue;
-    for (const Range& w : partsIn(static_cast<int>(f), graze, s)) {
+    for (const Range& w : partsIn(static_cast<int>(f), graze, s, &next)) {
       const auto onNext = [&](double x) {
         return curves.positionAt(next.curve, curves.at(graze.curve, x, s), s);
       };

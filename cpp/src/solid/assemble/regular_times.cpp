@@ -21,10 +21,10 @@ void appendHalved(Range s, int depth, const std::function<double(Range)>& quicke
 }  // namespace
 
 std::vector<Range> regularTimes(const std::function<bool(double)>& isRegular,
-                                const std::function<double(Range)>& quickestChange) {
-  std::vector<double> ends = zerosOf([&](double s) { return isRegular(s) ? 1.0 : -1.0; }, {0, 1});
-  if (isRegular(0)) ends.insert(ends.begin(), 0);
-  if (isRegular(1)) ends.push_back(1);
+                                const std::function<double(Range)>& quickestChange, Range within) {
+  std::vector<double> ends = zerosOf([&](double s) { return isRegular(s) ? 1.0 : -1.0; }, within);
+  if (isRegular(within.from)) ends.insert(ends.begin(), within.from);
+  if (isRegular(within.to)) ends.push_back(within.to);
   std::vector<Range> times;
   for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
     appendHalved({ends[i], ends[i + 1]}, 0, quickestChange, times);

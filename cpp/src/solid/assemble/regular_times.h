@@ -12,9 +12,10 @@
 
 namespace swept::step {
 
-/// `quickestChange`: returns the shortest time in which the curves change much, within a range.
-/// Ranges that are much longer are halved.
+/// Returns times within the range. `quickestChange`: returns the shortest time in which the curves
+/// change much, within a range. Ranges that are much longer are halved.
 std::vector<Range> regularTimes(const std::function<bool(double)>& isRegular,
-                                const std::function<double(Range)>& quickestChange);
+                                const std::function<double(Range)>& quickestChange,
+                                Range within = {0, 1});
 
 }  // namespace swept::step

@@ -16,29 +16,52 @@ using Complex = std::complex<double>;
 
 bool isAllAround(Range angles) { return angles.length() >= 2 * M_PI; }
 
+// Returns whether the direction of the velocity of a sphere's centre changes little.
+bool hasOneDirection(const BodySurface& sphere, const StepPath& path, Range within) {
+  constexpr int kTimes = 16;
+  constexpr double kMinCosine = 0.7;
+  const auto direction = [&](double s) {
+    return Moment(path, s).velocityAt(sphere.origin).normalized();
+  };
+  const Vector3d axis = direction(within.at(0.5));
+  for (int i = 0; i <= kTimes; ++i) {
+    const double s = within.at(static_cast<double>(i) / kTimes);
+    if (!(direction(s).dot(axis) > kMinCosine)) return false;
+  }
+  return true;
+}
+
 // Returns a sphere with another axis: the direction of the velocity of its centre, if this changes
 // little.
-BodySurface turnedToVelocity(BodySurface surface, const StepPath& path) {
-  constexpr int kTimes = 16;
-  constexpr double kMinCosine = 0.3;
-  const auto direction = [&](double s) {
-    return Moment(path, s).velocityAt(surface.origin).normalized();
-  };
-  const Vector3d axis = direction(0.5);
-  for (int i = 0; i <= kTimes; ++i) {
-    if (!(direction(static_cast<double>(i) / kTimes).dot(axis) > kMinCosine)) return surface;
-  }
-  surface.axis = axis;
-  surface.x = axis.unitOrthogonal();
-  surface.y = axis.cross(surface.x);
+BodySurface turnedToVelocity(BodySurface surface, const StepPath& path, Range within) {
+  if (!hasOneDirection(surface, path, within)) return surface;
+  surface.axis = Moment(path, within.at(0.5)).velocityAt(surface.origin).normalized();
+  surface.x = surface.axis.unitOrthogonal();
+  surface.y = surface.axis.cross(surface.x);
   return surface;
 }
 
 }  // namespace
 
-TorusContacts::TorusContacts(const BodyGeometry& body, int index, const StepPath& path)
-    : surface_(body.surfaces[index]), path_(path) {
-  if (surface_.radius == 0) surface_ = turnedToVelocity(surface_, path);
+std::vector<Range> TorusContacts::timesOf(const BodySurface& surface, const StepPath& path) {
+  constexpr double kShortest = 1.0 / 16;
+  std::vector<Range> times{{0, 1}};
+  for (std::size_t i = 0; i < times.size();) {
+    const Range s = times[i];
+    if (surface.radius > 0 || s.length() <= kShortest || hasOneDirection(surface, path, s)) {
+      ++i;
+      continue;
+    }
+    times[i] = {s.from, s.at(0.5)};
+    times.insert(times.begin() + static_cast<std::ptrdiff_t>(i) + 1, {s.at(0.5), s.to});
+  }
+  return times;
+}
+
+TorusContacts::TorusContacts(const BodyGeometry& body, int index, const StepPath& path,
+                             Range within)
+    : surface_(body.surfaces[index]), path_(path), within_(within) {
+  if (surface_.radius == 0) surface_ = turnedToVelocity(surface_, path, within);
   across_ = surface_.axis.cross(Moment(path, 0).angular);
   scale_ = surface_.radius + surface_.tube;
   for (const double sign : {1.0, -1.0}) {
@@ -74,7 +97,7 @@ std::optional<Range> TorusContacts::anglesOnFaces(const BodyGeometry& body, int 
   }
   const auto isOnFace = [&](double angle) {
     for (int i = 0; i <= kTimes; ++i) {
-      const Vector3d p = onTube(sign, angle, static_cast<double>(i) / kTimes);
+      const Vector3d p = onTube(sign, angle, within_.at(static_cast<double>(i) / kTimes));
       if (!p.allFinite()) continue;
       for (const Extent& extent : extents) {
         const Vector2d middle = extent.range.center(),
@@ -214,7 +237,8 @@ void TorusContacts::findCurves(double sign, Range on) {
       return bend.width < kNear && bend.at > on.from - kAroundFace && bend.at < on.to + kAroundFace;
     });
   };
-  for (const Range& s : regularTimes(isRegular, [&](Range r) { return quickestChange(on, r); })) {
+  for (const Range& s : regularTimes(
+           isRegular, [&](Range r) { return quickestChange(on, r); }, within_)) {
     const int next = static_cast<int>(curves_.size());
     if (isAllAround(on)) {
       curves_.push_back({sign, s, {on.from, on.at(0.5)}, next + 1});

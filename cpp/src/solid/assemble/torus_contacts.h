@@ -12,7 +12,8 @@
 //          whole circle of the tube touches the envelope, and the curves meet there. Shortly
 //          before and after, no curves are known.
 //          Contact curves of a sphere are great circles orthogonal to the velocity of its centre.
-//          Angles are measured around this velocity, so that circles do not bend.
+//          Angles are measured around this velocity, so that circles do not bend. Where it turns
+//          far, the step is divided into ranges of times with different axes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -28,8 +29,11 @@ namespace swept::step {
 
 class TorusContacts {
  public:
-  /// `index`: of the surface.
-  TorusContacts(const BodyGeometry& body, int index, const StepPath& path);
+  /// `index`: of the surface. `within`: one of timesOf().
+  TorusContacts(const BodyGeometry& body, int index, const StepPath& path, Range within);
+
+  /// Returns the ranges of times that need different axes, in order: for a torus, the whole step.
+  static std::vector<Range> timesOf(const BodySurface& surface, const StepPath& path);
 
   std::size_t count() const { return curves_.size(); }
   const Range& times(int curve) const { return curves_[curve].s; }
@@ -71,6 +75,7 @@ class TorusContacts {
 
   BodySurface surface_;
   const StepPath& path_;
+  Range within_;
   Eigen::Vector3d across_;  // axis x angular velocity, which is constant for the body
   double scale_;            // mm per rad
   std::vector<Curve> curves_;

@@ -123,7 +123,9 @@ class TurningStep {
   void appendContactCurves(const Graze& graze, int time);
   void appendContactCurve(const Graze& graze, int time, int f, Range w);
   // Returns the parts of the contact curve of a grazing surface at one time that lie inside a face.
-  std::vector<Range> partsIn(int f, const Graze& graze, double s) const;
+  // `next`: the grazing surface that begins then. Each part lies on one half of its contact curve.
+  std::vector<Range> partsIn(int f, const Graze& graze, double s,
+                             const Graze* next = nullptr) const;
   // Appends the parts of a contact curve inside faces at which a grazing surface ends and another
   // begins, because the courses of the contact curves change at this time.
   void appendChange(const Graze& graze, const Graze& next);
