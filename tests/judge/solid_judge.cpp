@@ -258,6 +258,23 @@ void writeBall(double radius, const std::string& path) {
   BRepTools::Write(BRepPrimAPI_MakeSphere(radius).Shape(), path.c_str());
 }
 
+void writeHalfBall(double radius, const std::string& path) {
+  BRepTools::Write(BRepPrimAPI_MakeSphere(radius, 0, M_PI / 2).Shape(), path.c_str());
+}
+
+void writeBlockWithRoundTop(double length, double width, double height, double radius,
+                            const std::string& path) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(length, width, height).Shape();
+  BRepFilletAPI_MakeFillet fillet(block);
+  for (TopExp_Explorer it(block, TopAbs_EDGE); it.More(); it.Next()) {
+    const BRepAdaptor_Curve curve(TopoDS::Edge(it.Current()));
+    const gp_Pnt first = curve.Value(curve.FirstParameter()),
+                 last = curve.Value(curve.LastParameter());
+    if (std::min(first.Z(), last.Z()) == height) fillet.Add(radius, TopoDS::Edge(it.Current()));
+  }
+  writeBrep(fillet.Shape(), path);
+}
+
 void writeRing(double radius, double tube, const std::string& path) {
   BRepTools::Write(BRepPrimAPI_MakeTorus(radius, tube).Shape(), path.c_str());
 }

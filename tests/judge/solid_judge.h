@@ -53,6 +53,11 @@ void writeRoundedBlock(const std::string& path);
 
 /// Writes a ball around the origin, or a ring around the z-axis, as a BREP file.
 void writeBall(double radius, const std::string& path);
+/// Half of a ball, above its plane face.
+void writeHalfBall(double radius, const std::string& path);
+/// A block with this size in x, y and z, whose top edges are round.
+void writeBlockWithRoundTop(double length, double width, double height, double radius,
+                            const std::string& path);
 void writeRing(double radius, double tube, const std::string& path);
 
 /// detailCount: largest number of faults that are described. withBlock: also computes blockError

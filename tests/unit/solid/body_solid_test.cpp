@@ -52,6 +52,19 @@ class BodySolid : public testing::Test {
     compute();
   }
 
+  // The pivot is the origin.
+  void moveThrough(const std::vector<Vector3d>& positions,
+                   const std::vector<Eigen::Quaterniond>& turns) {
+    motion_ = {};
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      Pose& pose = motion_.poses.emplace_back();
+      pose.timeSeconds = static_cast<double>(i);
+      pose.translation = positions[i];
+      pose.rotation = turns[i];
+    }
+    compute();
+  }
+
   void compute() {
     Options options;
     options.resolution = resolution_;
@@ -104,7 +117,21 @@ class BodySolid : public testing::Test {
     EXPECT_LE(judged_.blockError, 1e-6);
   }
 
-  // Does the same, and tests that all edges lie on their faces.
+  // The judge would take minutes for faces that sweep as far as these.
+  void expectFacesWithoutFacets(std::int64_t mostFaces) {
+    const WrittenSolid report =
+        writeSolid(result_.mesh, folder_.file("envelope.step"), optionsWithOrigin(), run_);
+    std::int64_t faces = 0;
+    for (const auto& [kind, count] : report.facesByKind) {
+      EXPECT_NE(kind, "facet");
+      faces += count;
+    }
+    EXPECT_LE(faces, mostFaces);
+    EXPECT_LE(report.deviation, result_.report.chordError + 1e-3);
+    EXPECT_NEAR(report.volume, report.meshVolume, 5e-3 * report.meshVolume);
+  }
+
+  // Does the same as expectFacesOfTheSweep(), and tests that all edges lie on their faces.
   void expectExactFaces() {
     expectFacesOfTheSweep();
     EXPECT_LE(judged_.edgeTolerance, 1e-6);
@@ -235,6 +262,36 @@ TEST_F(BodySolid, ConesAndToriOfATurningBody) {
   EXPECT_GE(kinds_["cone"], 1);
   EXPECT_GE(kinds_["torus"], 1);
   EXPECT_LE(judged_.faces, 30);
+}
+
+// Where the path of a corner leaves a contact curve, two curves of intersection begin side by side.
+TEST_F(BodySolid, ABlockWithRoundEdgesAlongThreeKeys) {
+  const std::string file = folder_.file("block.brep");
+  writeBlockWithRoundTop(20, 14, 8, 2, file);
+  readBodyFrom(file);
+  moveThrough({{0, 0, 0}, {20, 3, 6}, {30, 20, 4}},
+              {none_, turned(0.436, {3, 5, 8}), turned(0.716, {-2, 7, 4})});
+  expectFacesWithoutFacets(60);
+}
+
+// What its bottom edge sweeps passes through itself.
+TEST_F(BodySolid, AConeThatTurnsFarAlongThreeKeys) {
+  const std::string file = folder_.file("cone.brep");
+  writeCone(8, 3, 14, file);
+  readBodyFrom(file);
+  moveThrough({{0, 0, 0}, {4, 9, 31}, {-10, 25, 40}},
+              {none_, turned(1.047, {1, -2, 1}), turned(1.745, {1, 1, -2})});
+  expectFacesWithoutFacets(45);
+}
+
+// The direction in which it moves turns by 136 degrees, seen from the body.
+TEST_F(BodySolid, HalfABallThatTurnsFarAlongThreeKeys) {
+  const std::string file = folder_.file("half.brep");
+  writeHalfBall(9, file);
+  readBodyFrom(file);
+  moveThrough({{0, 0, 0}, {4, 9, 31}, {-10, 25, 40}},
+              {none_, turned(1.047, {1, -2, 1}), turned(1.745, {1, 1, -2})});
+  expectFacesWithoutFacets(35);
 }
 
 // Contact curves run all around the ball and the ring.
