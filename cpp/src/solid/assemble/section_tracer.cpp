@@ -36,12 +36,16 @@ bool areConnected(const PointOnBoth& a, const PointOnBoth& b) {
          std::abs(secant.dot(b.tangent)) >= kMinCosine * b.sine;
 }
 
-// Returns whether the points turn back before the next one. At the end of an edge that sweeps one
+// Returns whether the curve turns back before the next point. At the end of an edge that sweeps one
 // of the faces, two curves may leave a point of contact side by side; the triangles join them.
+// (Points of one curve that are only in the wrong order lie in a line.)
 bool doesTurnBack(const std::vector<PointOnBoth>& points, const PointOnBoth& next) {
+  constexpr double kMinSine = 0.1;
   if (points.size() < 2) return false;
   const Vector3d last = points.back().at;
-  return (last - points[points.size() - 2].at).dot(next.at - last) < 0;
+  const Vector3d before = (last - points[points.size() - 2].at).normalized(),
+                 after = (next.at - last).normalized();
+  return before.dot(after) < 0 && before.cross(after).norm() > kMinSine;
 }
 
 // Returns whether one of the faces turns back between the points.
