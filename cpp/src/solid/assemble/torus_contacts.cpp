@@ -44,11 +44,11 @@ BodySurface turnedToVelocity(BodySurface surface, const StepPath& path, Range wi
 }  // namespace
 
 std::vector<Range> TorusContacts::timesOf(const BodySurface& surface, const StepPath& path) {
-  constexpr double kShortest = 1.0 / 16;
+  constexpr double kShortestRange = 1.0 / 16;
   std::vector<Range> times{{0, 1}};
   for (std::size_t i = 0; i < times.size();) {
     const Range s = times[i];
-    if (surface.radius > 0 || s.length() <= kShortest || hasOneDirection(surface, path, s)) {
+    if (surface.radius > 0 || s.length() <= kShortestRange || hasOneDirection(surface, path, s)) {
       ++i;
       continue;
     }
