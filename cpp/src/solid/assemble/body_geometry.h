@@ -102,8 +102,9 @@ struct BodyGeometry {
   /// Returns the range of the kernel's angle around the axis on a face.
   Range anglesOf(int f) const;
   /// Returns whether a point of the surface of a face is inside or outside of the face, or on its
-  /// border. The kernel's classifier for points in space does not tell: of a cylinder's two halves,
-  /// it takes each for the one on which the point is.
+  /// border. (The kernel's classifier for points in space cannot be used: it classifies a foot of
+  /// the point on the face, however far that is. So a point is inside of both halves of a
+  /// cylinder.)
   TopAbs_State placeOf(int f, const Eigen::Vector3d& p) const;
   /// Returns whether a plane face has an angle of less than 180 degrees at a vertex.
   bool isCorner(int vertex, int f) const;

@@ -9,7 +9,7 @@
 namespace swept::step {
 namespace {
 
-constexpr int kGridPoints = 32, kGridTimes = 64;  // of the grid
+constexpr int kGridPoints = 32, kGridTimes = 64;  // to test it takes about 10 ms
 
 TriMesh gridOf(const std::function<Eigen::Vector3d(double, double)>& at, Range edge) {
   TriMesh grid;

@@ -38,8 +38,9 @@ bool areConnected(const PointOnBoth& a, const PointOnBoth& b) {
 
 // Returns whether the curve turns back before the next point. At the end of an edge that sweeps one
 // of the faces, two curves may leave a point of contact side by side; the triangles join them.
-// (Points of one curve that are only in the wrong order lie in a line.)
+// Points of one curve may be in the wrong order, but they lie nearly in a line.
 bool doesTurnBack(const std::vector<PointOnBoth>& points, const PointOnBoth& next) {
+  // Of the angle. Points in the wrong order had up to 0.06, the two curves of a block 0.15.
   constexpr double kMinSine = 0.1;
   if (points.size() < 2) return false;
   const Vector3d last = points.back().at;

@@ -19,6 +19,7 @@ bool isAllAround(Range angles) { return angles.length() >= 2 * M_PI; }
 // Returns whether the direction of the velocity of a sphere's centre changes little.
 bool hasOneDirection(const BodySurface& sphere, const StepPath& path, Range within) {
   constexpr int kTimes = 16;
+  // If the direction turns by 68 degrees, the grazing surface needs too many poles.
   constexpr double kMinCosine = 0.7;
   const auto direction = [&](double s) {
     return Moment(path, s).velocityAt(sphere.origin).normalized();
