@@ -39,30 +39,29 @@ class BodySolid : public testing::Test {
   }
 
   void sweep(const std::vector<Vector3d>& positions, const Eigen::Quaterniond& lastTurn) {
-    motion_ = {};
-    for (const Vector3d& position : positions) {
-      Pose pose;
-      pose.timeSeconds = static_cast<double>(motion_.poses.size());
-      pose.translation = position;
-      motion_.poses.push_back(pose);
-    }
-    motion_.poses.back().rotation = lastTurn;
-    motion_.pivot = pivot_;
-    for (Pose& pose : motion_.poses) pose.translation += pivot_ - pose.rotation * pivot_;
-    compute();
+    std::vector<Eigen::Quaterniond> turns(positions.size(), none_);
+    turns.back() = lastTurn;
+    moveThrough(positions, turns);
   }
 
-  // The pivot is the origin.
+  // `positions`: how far the pivot has moved.
   void moveThrough(const std::vector<Vector3d>& positions,
                    const std::vector<Eigen::Quaterniond>& turns) {
     motion_ = {};
     for (std::size_t i = 0; i < positions.size(); ++i) {
       Pose& pose = motion_.poses.emplace_back();
       pose.timeSeconds = static_cast<double>(i);
-      pose.translation = positions[i];
       pose.rotation = turns[i];
+      pose.translation = positions[i] + pivot_ - pose.rotation * pivot_;
     }
+    motion_.pivot = pivot_;
     compute();
+  }
+
+  // Three keys, turned by 60 and 100 degrees.
+  void turnFar() {
+    moveThrough({{0, 0, 0}, {4, 9, 31}, {-10, 25, 40}},
+                {none_, turned(1.047, {1, -2, 1}), turned(1.745, {1, 1, -2})});
   }
 
   void compute() {
@@ -279,8 +278,7 @@ TEST_F(BodySolid, AConeThatTurnsFarAlongThreeKeys) {
   const std::string file = folder_.file("cone.brep");
   writeCone(8, 3, 14, file);
   readBodyFrom(file);
-  moveThrough({{0, 0, 0}, {4, 9, 31}, {-10, 25, 40}},
-              {none_, turned(1.047, {1, -2, 1}), turned(1.745, {1, 1, -2})});
+  turnFar();
   expectFacesWithoutFacets(45);
 }
 
@@ -289,8 +287,7 @@ TEST_F(BodySolid, HalfABallThatTurnsFarAlongThreeKeys) {
   const std::string file = folder_.file("half.brep");
   writeHalfBall(9, file);
   readBodyFrom(file);
-  moveThrough({{0, 0, 0}, {4, 9, 31}, {-10, 25, 40}},
-              {none_, turned(1.047, {1, -2, 1}), turned(1.745, {1, 1, -2})});
+  turnFar();
   expectFacesWithoutFacets(35);
 }
 

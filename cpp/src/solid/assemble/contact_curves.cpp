@@ -184,8 +184,8 @@ Vector3d ContactCurves::onCircles(const Curve& curve, double w, double s) const 
 
 Vector3d ContactCurves::at(int curve, double w, double s) const {
   if (!tori_.empty()) {
-    const TorusCurves& torus = torusOf(curve);
-    return torus.contacts.at(curve - torus.first, w, s);
+    const auto [torus, own] = torusOf(curve);
+    return torus.at(own, w, s);
   }
   if (!surface_.isPlane()) return onCircles(curves_[curve], w, s);
   const Moment moment(path_, s);
@@ -203,8 +203,8 @@ double ContactCurves::positionOnTurn(Course course, const Vector3d& p, double s)
 
 double ContactCurves::positionAt(int curve, const Vector3d& p, double s) const {
   if (!tori_.empty()) {
-    const TorusCurves& torus = torusOf(curve);
-    return torus.contacts.positionAt(curve - torus.first, p, s);
+    const auto [torus, own] = torusOf(curve);
+    return torus.positionAt(own, p, s);
   }
   const Course course = curves_[curve].course;
   if (course != Course::Whole) return positionOnTurn(course, p, s);
@@ -223,8 +223,8 @@ int ContactCurves::curveOf(const Vector3d& p, double s) const {
     if (tori_.empty()) {
       there = at(curve, positionAt(curve, p, s), s);
     } else {
-      const TorusCurves& torus = torusOf(curve);
-      there = torus.contacts.atAngleOf(curve - torus.first, p, s);
+      const auto [torus, own] = torusOf(curve);
+      there = torus.atAngleOf(own, p, s);
     }
     return there.allFinite() ? (there - p).norm() : HUGE_VAL;
   };
@@ -241,22 +241,25 @@ int ContactCurves::curveOf(const Vector3d& p, double s) const {
 }
 
 Range ContactCurves::extent(int curve) const {
-  if (!tori_.empty()) return torusOf(curve).contacts.extent(curve - torusOf(curve).first);
+  if (!tori_.empty()) {
+    const auto [torus, own] = torusOf(curve);
+    return torus.extent(own);
+  }
   if (curves_[curve].course == Course::Whole) return extent_;
   return {-extent_.length(), extent_.length()};
 }
 
 int ContactCurves::otherHalf(int curve) const {
   if (tori_.empty()) return kNoCurve;
-  const TorusCurves& torus = torusOf(curve);
-  const int other = torus.contacts.otherHalf(curve - torus.first);
-  return other == TorusContacts::kNone ? kNoCurve : torus.first + other;
+  const auto [torus, own] = torusOf(curve);
+  const int other = torus.otherHalf(own);
+  return other == TorusContacts::kNone ? kNoCurve : curve - own + other;
 }
 
-const ContactCurves::TorusCurves& ContactCurves::torusOf(int curve) const {
+std::pair<const TorusContacts&, int> ContactCurves::torusOf(int curve) const {
   std::size_t k = tori_.size() - 1;
   while (tori_[k].first > curve) --k;
-  return tori_[k];
+  return {tori_[k].contacts, curve - tori_[k].first};
 }
 
 Range ContactCurves::extentOf(const BodyGeometry& body, int index) const {

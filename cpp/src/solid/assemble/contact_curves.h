@@ -22,7 +22,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "solid/assemble/body_geometry.h"
@@ -129,8 +129,8 @@ class ContactCurves {
     int first;
     TorusContacts contacts;
   };
-  // Returns the torus of a curve.
-  const TorusCurves& torusOf(int curve) const;
+  // Returns the torus of a curve, and the index of the curve there.
+  std::pair<const TorusContacts&, int> torusOf(int curve) const;
 
   std::vector<TorusCurves> tori_;
   std::vector<Curve> curves_;

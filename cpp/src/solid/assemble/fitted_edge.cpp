@@ -33,6 +33,14 @@ std::optional<Curve> fitClosely(const ExactCurve& exact, Range range) {
   return fitted ? fitted : fitSpline(exact, range, kCurveBound);
 }
 
+// Returns a curve in the parameters of a face as one in the plane z = 0, in mm.
+ExactCurve inMillimetres(const std::function<Vector2d(double)>& on, const Vector2d& scale) {
+  return [&on, scale](double t) {
+    const Vector2d p = on(t).cwiseProduct(scale);
+    return Vector3d(p.x(), p.y(), 0);
+  };
+}
+
 }  // namespace
 
 TopoDS_Edge fittedEdge(const std::function<Vector3d(double)>& exact, Range range) {
@@ -47,12 +55,7 @@ TopoDS_Edge fittedEdge(const std::function<Vector3d(double)>& exact, Range range
 
 bool addCurveOn(const TopoDS_Face& face, const TopoDS_Edge& edge,
                 const std::function<Vector2d(double)>& on, const Vector2d& scale, Range range) {
-  const auto fitted = fitClosely(
-      [&](double t) {
-        const Vector2d p = on(t).cwiseProduct(scale);
-        return Vector3d(p.x(), p.y(), 0);
-      },
-      range);
+  const auto fitted = fitClosely(inMillimetres(on, scale), range);
   if (!fitted) return false;
   BRep_Builder().UpdateEdge(edge, kernelCurveOn(*fitted, scale), face, Precision::Confusion());
   return true;
@@ -72,7 +75,7 @@ bool addCurveOfTwin(const TopoDS_Face& face, const TopoDS_Edge& edge, const Topo
     const double t = of.at(static_cast<double>(i) / kSamples);
     samples.emplace_back(t, along.Value(t));
   }
-  const auto on = [&](double t) {
+  const std::function<Vector2d(double)> on = [&](double t) {
     const gp_Pnt p = curve->Value(t);
     const auto isNearer = [&](const auto& a, const auto& b) {
       return a.second.SquareDistance(p) < b.second.SquareDistance(p);
@@ -81,20 +84,16 @@ bool addCurveOfTwin(const TopoDS_Face& face, const TopoDS_Edge& edge, const Topo
     gp_Pnt foot;
     double found = start;
     ShapeAnalysis_Curve().NextProject(start, along, p, Precision::Confusion(), foot, found);
-    return known->Value(std::clamp(found, of.from, of.to));
+    const gp_Pnt2d q = known->Value(std::clamp(found, of.from, of.to));
+    return Vector2d(q.X(), q.Y());
   };
-  const gp_Pnt2d middle = on(range.at(0.5));
+  const Vector2d middle = on(range.at(0.5));
   gp_Pnt p;
   gp_Vec u, v;
-  surface->D1(middle.X(), middle.Y(), p, u, v);
+  surface->D1(middle.x(), middle.y(), p, u, v);
   const Vector2d scale(u.Magnitude(), v.Magnitude());
   if (scale.minCoeff() < gp::Resolution()) return false;
-  const auto fitted = fitSpline(
-      [&](double t) {
-        const gp_Pnt2d q = on(t);
-        return Vector3d(q.X() * scale.x(), q.Y() * scale.y(), 0);
-      },
-      range, std::max(kCurveBound, far / 10));
+  const auto fitted = fitSpline(inMillimetres(on, scale), range, std::max(kCurveBound, far / 10));
   if (!fitted) return false;
   const auto result = Handle(Geom2d_BSplineCurve)::DownCast(kernelCurveOn(*fitted, scale));
   TColStd_Array1OfReal knots(1, result->NbKnots());
