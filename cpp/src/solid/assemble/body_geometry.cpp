@@ -331,6 +331,21 @@ Range BodyGeometry::anglesOf(int f) const {
   return {faces[f].range.min().x(), faces[f].range.max().x()};
 }
 
+Range BodyGeometry::extentOf(int surface, const Vector3d& origin, const Vector3d& along) const {
+  constexpr int kPoints = 32;
+  Range extent{HUGE_VAL, -HUGE_VAL};
+  for (const BodyFace& face : faces) {
+    if (face.surface != surface) continue;
+    for (const int e : face.edges) {
+      for (int i = 0; i <= kPoints; ++i) {
+        const double u = edges[e].range.at(static_cast<double>(i) / kPoints);
+        extent = extent.with((edges[e].at(u) - origin).dot(along));
+      }
+    }
+  }
+  return extent;
+}
+
 TopAbs_State BodyGeometry::placeOf(int f, const Vector3d& p) const {
   const Vector2d on = surfaceOf(f).parametersOf(p, faces[f].range.center());
   return faces[f].border->Perform(gp_Pnt2d(on.x(), on.y()));

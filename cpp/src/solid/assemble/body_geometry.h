@@ -101,6 +101,9 @@ struct BodyGeometry {
   Eigen::Vector3d intoFace(const BodyEdge& edge, int f, double u) const;
   /// Returns the range of the kernel's angle around the axis on a face.
   Range anglesOf(int f) const;
+  /// Returns between which positions along a unit vector the faces of a surface lie (mm from a
+  /// point).
+  Range extentOf(int surface, const Eigen::Vector3d& origin, const Eigen::Vector3d& along) const;
   /// Returns whether a point of the surface of a face is inside or outside of the face, or on its
   /// border. (The kernel's classifier for points in space cannot be used: it classifies a foot of
   /// the point on the face, however far that is. So a point is inside of both halves of a

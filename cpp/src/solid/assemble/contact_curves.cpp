@@ -33,19 +33,32 @@ ContactCurves::ContactCurves(const BodyGeometry& body, int index, const StepPath
     case Kind::Cone:
       break;
     case Kind::Torus:
-      for (const Range& s : TorusContacts::timesOf(surface_, path)) {
-        tori_.push_back({count(), TorusContacts(body, index, path, s)});
-        const TorusContacts& torus = tori_.back().contacts;
-        for (std::size_t i = 0; i < torus.count(); ++i)
-          curves_.push_back({Course::Whole, 1, torus.times(static_cast<int>(i))});
-      }
+      for (const Range& s : PipeContacts::timesOf(surface_, path))
+        appendPipe(PipeContacts(body, index, path, s));
       findChanges();
       return;
     case Kind::Other:
       return;
   }
-  extent_ = extentOf(body, index);
+  const double cosine = std::cos(surface_.slope);
+  extent_ = body.extentOf(index, origin_, along_);
+  extent_ = {extent_.from / cosine, extent_.to / cosine};
+  if (surface_.isCylinder() && size_ > kNoSpeed) {
+    PipeContacts contacts(body, index, path, {0, 1});
+    if (!contacts.criticals().empty()) {
+      appendPipe(std::move(contacts));
+      findChanges();
+      return;
+    }
+  }
   if (!surface_.isPlane()) findCurves();
+}
+
+void ContactCurves::appendPipe(PipeContacts contacts) {
+  pipes_.push_back({count(), std::move(contacts)});
+  const PipeContacts& pipe = pipes_.back().contacts;
+  for (std::size_t i = 0; i < pipe.count(); ++i)
+    curves_.push_back({Course::Whole, 1, pipe.times(static_cast<int>(i))});
 }
 
 ContactCurves::Circles ContactCurves::circlesAt(double s) const {
@@ -183,9 +196,9 @@ Vector3d ContactCurves::onCircles(const Curve& curve, double w, double s) const 
 }
 
 Vector3d ContactCurves::at(int curve, double w, double s) const {
-  if (!tori_.empty()) {
-    const auto [torus, own] = torusOf(curve);
-    return torus.at(own, w, s);
+  if (!pipes_.empty()) {
+    const auto [pipe, own] = pipeOf(curve);
+    return pipe.at(own, w, s);
   }
   if (!surface_.isPlane()) return onCircles(curves_[curve], w, s);
   const Moment moment(path_, s);
@@ -202,9 +215,9 @@ double ContactCurves::positionOnTurn(Course course, const Vector3d& p, double s)
 }
 
 double ContactCurves::positionAt(int curve, const Vector3d& p, double s) const {
-  if (!tori_.empty()) {
-    const auto [torus, own] = torusOf(curve);
-    return torus.positionAt(own, p, s);
+  if (!pipes_.empty()) {
+    const auto [pipe, own] = pipeOf(curve);
+    return pipe.positionAt(own, p, s);
   }
   const Course course = curves_[curve].course;
   if (course != Course::Whole) return positionOnTurn(course, p, s);
@@ -220,11 +233,11 @@ int ContactCurves::curveOf(const Vector3d& p, double s) const {
   if (surface_.isPlane()) return count() - 1;
   const auto distance = [&](int curve) {
     Vector3d there;
-    if (tori_.empty()) {
+    if (pipes_.empty()) {
       there = at(curve, positionAt(curve, p, s), s);
     } else {
-      const auto [torus, own] = torusOf(curve);
-      there = torus.atAngleOf(own, p, s);
+      const auto [pipe, own] = pipeOf(curve);
+      there = pipe.atPositionOf(own, p, s);
     }
     return there.allFinite() ? (there - p).norm() : HUGE_VAL;
   };
@@ -241,41 +254,92 @@ int ContactCurves::curveOf(const Vector3d& p, double s) const {
 }
 
 Range ContactCurves::extent(int curve) const {
-  if (!tori_.empty()) {
-    const auto [torus, own] = torusOf(curve);
-    return torus.extent(own);
+  if (!pipes_.empty()) {
+    const auto [pipe, own] = pipeOf(curve);
+    return pipe.extent(own);
   }
   if (curves_[curve].course == Course::Whole) return extent_;
   return {-extent_.length(), extent_.length()};
 }
 
-int ContactCurves::otherHalf(int curve) const {
-  if (tori_.empty()) return kNoCurve;
-  const auto [torus, own] = torusOf(curve);
-  const int other = torus.otherHalf(own);
-  return other == TorusContacts::kNone ? kNoCurve : curve - own + other;
+bool ContactCurves::isPart(int curve) const {
+  if (pipes_.empty()) return false;
+  const auto [pipe, own] = pipeOf(curve);
+  return pipe.isPart(own);
 }
 
-std::pair<const TorusContacts&, int> ContactCurves::torusOf(int curve) const {
-  std::size_t k = tori_.size() - 1;
-  while (tori_[k].first > curve) --k;
-  return {tori_[k].contacts, curve - tori_[k].first};
+bool ContactCurves::doesContinue(int curve, int next) const {
+  if (pipes_.empty()) return false;
+  const auto [pipe, own] = pipeOf(curve);
+  const auto [nextPipe, nextOwn] = pipeOf(next);
+  return &pipe == &nextPipe && pipe.doesContinue(own, nextOwn);
 }
 
-Range ContactCurves::extentOf(const BodyGeometry& body, int index) const {
-  constexpr int kPoints = 32;
-  Range w{HUGE_VAL, -HUGE_VAL};
-  for (const BodyFace& face : body.faces) {
-    if (face.surface != index) continue;
-    for (const int e : face.edges) {
-      const BodyEdge& edge = body.edges[e];
-      for (int i = 0; i <= kPoints; ++i)
-        w = w.with(
-            (edge.at(edge.range.at(static_cast<double>(i) / kPoints)) - origin_).dot(along_));
-    }
-  }
-  const double c = std::cos(surface_.slope);
-  return {w.from / c, w.to / c};
+bool ContactCurves::isAtWindow(int curve, bool isEnd) const {
+  if (pipes_.empty()) return false;
+  const auto [pipe, own] = pipeOf(curve);
+  return pipe.isAtWindow(own, isEnd);
+}
+
+double ContactCurves::offsetFromEnd(int curve, bool isEnd, const Vector3d& p, double s) const {
+  const auto [pipe, own] = pipeOf(curve);
+  return pipe.offsetFromEnd(own, isEnd, p, s);
+}
+
+std::pair<const PipeContacts&, int> ContactCurves::pipeOf(int curve) const {
+  std::size_t k = pipes_.size() - 1;
+  while (pipes_[k].first > curve) --k;
+  return {pipes_[k].contacts, curve - pipes_[k].first};
+}
+
+std::optional<ContactCurves::Fan> ContactCurves::fanOf(int curve) const {
+  if (pipes_.empty()) return std::nullopt;
+  const auto [pipe, own] = pipeOf(curve);
+  const int critical = pipe.criticalOf(own);
+  if (critical == PipeContacts::kNone) return std::nullopt;
+  std::size_t k = 0;
+  while (&pipes_[k].contacts != &pipe) ++k;
+  return Fan{static_cast<int>(k), critical, pipe.quarterOf(own)};
+}
+
+const CriticalCircle& ContactCurves::criticalOf(const Fan& fan) const {
+  return pipes_[fan.pipe].contacts.criticals()[fan.critical];
+}
+
+Vector2d ContactCurves::scaleOf(const Fan& fan) const {
+  return {pipeOf(fan).radius(), criticalOf(fan).times().length() / 2};
+}
+
+ContactCurves::Touch ContactCurves::at(const Fan& fan, const Vector2d& on) const {
+  const Vector2d own = on.cwiseQuotient(scaleOf(fan));
+  const auto place = criticalOf(fan).at(fan.quarter.half, own.x(), own.y());
+  if (!std::isfinite(place.x)) return {Vector3d::Constant(NAN), 0};
+  return {pipeOf(fan).at(place.x, Vector2d(std::cos(own.x()), std::sin(own.x()))), place.s};
+}
+
+Vector2d ContactCurves::parametersOf(const Fan& fan, const Vector3d& p, double s) const {
+  const CriticalCircle& critical = criticalOf(fan);
+  const Vector2d on = pipeOf(fan).parametersOf(p, critical.positions(s).at(0.5));
+  return critical.parametersOf(fan.quarter.half, on.x(), on.y(), s).cwiseProduct(scaleOf(fan));
+}
+
+Eigen::AlignedBox2d ContactCurves::extent(const Fan& fan) const {
+  const Range directions = criticalOf(fan).directions(fan.quarter.half), reach = CriticalCircle::reach(fan.quarter.isAfter);
+  return {Vector2d(directions.from, reach.from).cwiseProduct(scaleOf(fan)),
+          Vector2d(directions.to, reach.to).cwiseProduct(scaleOf(fan))};
+}
+
+bool ContactCurves::doesOwn(const Fan& fan, const Touch& touch) const {
+  constexpr double kRounding = 1e-9;
+  const CriticalCircle& critical = criticalOf(fan);
+  const Range times = critical.times();
+  const Range own = fan.quarter.isAfter ? Range{critical.time(), times.to}
+                                        : Range{times.from, critical.time()};
+  if (touch.s < std::max(0.0, own.from) - kRounding ||
+      touch.s > std::min(1.0, own.to) + kRounding)
+    return false;
+  const double x = pipeOf(fan).parametersOf(touch.p, critical.positions(touch.s).at(0.5)).x();
+  return std::abs(critical.offsetOf(x, touch.s)) <= 1 + kRounding;
 }
 
 }  // namespace swept::step

@@ -11,7 +11,7 @@
 //          h c) (a x angular). On a circle of a cylinder or a cone, m, c and e are the same
 //          everywhere, so r has a known angle to m. On a torus, d e - h c = e R, where R is the
 //          radius from the axis to the tube. So at each angle around the axis, c / e is
-//          known (torus_contacts.h). Here linear is the velocity of the point of the axis at which
+//          known (pipe_contacts.h). Here linear is the velocity of the point of the axis at which
 //          h is 0. Circles of a cone for which |m| < |e a.linear| do not touch the envelope. They
 //          form one gap, as |m|^2 is a quadratic function of h. Where it begins and where it ends,
 //          the two curves meet. So there is one curve on each side of the gap, which turns round
@@ -22,11 +22,12 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "solid/assemble/body_geometry.h"
-#include "solid/assemble/torus_contacts.h"
+#include "solid/assemble/pipe_contacts.h"
 #include "solid/sweep/contact.h"
 
 namespace swept::step {
@@ -58,15 +59,48 @@ class ContactCurves {
   int curveOf(const Eigen::Vector3d& p, double s) const;
   /// Returns the positions between which the faces of the surface lie.
   Range extent(int curve) const;
-  /// Returns the other half of a curve that runs around an axis, or kNoCurve. Each half begins
-  /// where the other one ends.
-  int otherHalf(int curve) const;
-  /// Returns whether a position belongs to the curve: not to its other half.
+  /// Returns whether the curve is one of several parts of a longer one.
+  bool isPart(int curve) const;
+  /// Returns whether a curve ends where another one begins.
+  bool doesContinue(int curve, int next) const;
+  /// Returns whether the curve begins, or ends, at the window of a critical circle.
+  bool isAtWindow(int curve, bool isEnd) const;
+  /// Returns a function of a point and a time that is zero where a part begins, or ends.
+  double offsetFromEnd(int curve, bool isEnd, const Eigen::Vector3d& p, double s) const;
+  /// Returns whether a position belongs to the curve: not to another part.
   bool doesOwn(int curve, double w) const {
-    if (otherHalf(curve) == kNoCurve) return true;
+    if (!isPart(curve)) return true;
     const Range own = extent(curve);
     return w >= own.from && w <= own.to;
   }
+
+  /// What curves sweep near a critical circle: a quarter of a surface (critical_circle.h).
+  struct Fan {
+    int pipe, critical;
+    CriticalCircle::Quarter quarter;
+    bool isBeside(const Fan& other) const {
+      return pipe == other.pipe && critical == other.critical;
+    }
+    bool operator==(const Fan& other) const {
+      return isBeside(other) && quarter == other.quarter;
+    }
+  };
+  /// Returns the fan that contains what a curve sweeps, if there is one.
+  std::optional<Fan> fanOf(int curve) const;
+  const CriticalCircle& criticalOf(const Fan& fan) const;
+  const Pipe& pipeOf(const Fan& fan) const { return pipes_[fan.pipe].contacts.pipe(); }
+  struct Touch {
+    Eigen::Vector3d p;  // in coordinates of the body; not finite where there is none
+    double s;
+  };
+  /// The parameters of a fan are the position on the circle (mm), and a position across it that
+  /// is similar to s.
+  Touch at(const Fan& fan, const Eigen::Vector2d& on) const;
+  Eigen::Vector2d parametersOf(const Fan& fan, const Eigen::Vector3d& p, double s) const;
+  Eigen::AlignedBox2d extent(const Fan& fan) const;
+  /// Returns whether a point of contact lies in the window of a fan.
+  bool doesOwn(const Fan& fan, const Touch& touch) const;
+
   /// Unit vector along the line or the axis, in coordinates of the body.
   const Eigen::Vector3d& along() const { return along_; }
 
@@ -117,22 +151,24 @@ class ContactCurves {
   Eigen::Vector3d onCircles(const Curve& curve, double w, double s) const;
   // Returns the position of a point on a curve that turns round.
   double positionOnTurn(Course course, const Eigen::Vector3d& p, double s) const;
-  Range extentOf(const BodyGeometry& body, int index) const;
 
   const BodySurface& surface_;
   const StepPath& path_;
   Eigen::Vector3d origin_;  // of the positions
   Eigen::Vector3d along_, across_;
   double size_ = 0;  // of axis x angular
-  // A torus within a range of times; `first`: the index of its first curve.
-  struct TorusCurves {
+  // A pipe within a range of times; `first`: the index of its first curve.
+  struct PipeCurves {
     int first;
-    TorusContacts contacts;
+    PipeContacts contacts;
   };
-  // Returns the torus of a curve, and the index of the curve there.
-  std::pair<const TorusContacts&, int> torusOf(int curve) const;
+  void appendPipe(PipeContacts contacts);
+  // Returns the pipe of a curve, and the index of the curve there.
+  std::pair<const PipeContacts&, int> pipeOf(int curve) const;
+  // mm: converts the parameters of a fan.
+  Eigen::Vector2d scaleOf(const Fan& fan) const;
 
-  std::vector<TorusCurves> tori_;
+  std::vector<PipeCurves> pipes_;
   std::vector<Curve> curves_;
   std::vector<double> changes_{0, 1};
   Range extent_;

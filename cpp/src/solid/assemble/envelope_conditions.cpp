@@ -51,32 +51,56 @@ Condition EnvelopeConditions::ofSheet(std::size_t edge) const {
 
 std::vector<Condition> EnvelopeConditions::ofGraze(int surface, const ContactCurves& curves,
                                                    int curve) const {
+  const double length = moving_->motions[step_].length();
+  return ofContacts(
+      surface,
+      [curves, curve, length](const Vector2d& on) -> Touch {
+        const double s = on.y() / length;
+        return {curves.at(curve, on.x(), s), s};
+      },
+      [curves, curve](const Vector2d& on, const Touch&) { return curves.doesOwn(curve, on.x()); });
+}
+
+std::vector<Condition> EnvelopeConditions::ofFan(int surface, const ContactCurves& curves,
+                                                 const ContactCurves::Fan& fan) const {
+  const double length = moving_->motions[step_].length();
+  return ofContacts(
+      surface,
+      [curves, fan, length](const Vector2d& on) {
+        return curves.at(fan, {on.x(), on.y() / length});
+      },
+      [curves, fan](const Vector2d&, const Touch& touch) { return curves.doesOwn(fan, touch); });
+}
+
+std::vector<Condition> EnvelopeConditions::ofContacts(
+    int surface, std::function<Touch(const Vector2d&)> touchAt,
+    std::function<bool(const Vector2d&, const Touch&)> doesOwn) const {
   const BodyGeometry& body = moving_->body;
   std::vector<int> faces;
   for (std::size_t f = 0; f < body.faces.size(); ++f) {
     if (body.faces[f].surface == surface) faces.push_back(static_cast<int>(f));
   }
   const double length = moving_->motions[step_].length();
-  const auto isInFace = [moving = moving_, curves, faces, curve, length](const Vector2d& on) {
-    const Vector3d p = curves.at(curve, on.x(), on.y() / length);
-    if (!p.allFinite() || !curves.doesOwn(curve, on.x())) return -1.0;
+  const auto isInFace = [moving = moving_, faces, touchAt, doesOwn](const Vector2d& on) {
+    const Touch touch = touchAt(on);
+    if (!touch.p.allFinite() || !doesOwn(on, touch)) return -1.0;
     // A contact curve may run along a border between two faces.
     const bool isInside = std::any_of(faces.begin(), faces.end(), [&](int f) {
-      return moving->body.placeOf(f, p) != TopAbs_OUT;
+      return moving->body.placeOf(f, touch.p) != TopAbs_OUT;
     });
     return isInside ? 1.0 : -1.0;
   };
-  const auto isOutside = [moving = moving_, step = step_, curves, surface, curve,
+  const auto isOutside = [moving = moving_, step = step_, touchAt, surface,
                           length](const Vector2d& on) {
     // Where the path of the point only touches the surface, samples judge better.
     constexpr double kStep = 1e-3, kTouching = 0.02;
     const StepPath& along = moving->paths[step];
     const BodySurface& of = moving->body.surfaces[surface];
-    const double s = on.y() / length;
-    const Vector3d p = along.at(s).apply(curves.at(curve, on.x(), s));
+    const Touch touch = touchAt(on);
+    const Vector3d p = along.at(touch.s).apply(touch.p);
     if (!p.allFinite()) return -1.0;
     double distance = 0;
-    for (const double other : {s - kStep, s + kStep})
+    for (const double other : {touch.s - kStep, touch.s + kStep})
       distance += of.outward * of.distanceTo(along.at(other).applyInverse(p));
     return distance / (kStep * kStep * length) + kTouching;
   };

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <TopoDS_Face.hxx>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -48,8 +49,17 @@ class EnvelopeConditions {
   /// The parameters are the position on the contact curve, and time. `curves`: of the surface in
   /// this step.
   std::vector<Condition> ofGraze(int surface, const ContactCurves& curves, int curve) const;
+  /// The parameters are those of the fan, the second multiplied by the length of the step.
+  std::vector<Condition> ofFan(int surface, const ContactCurves& curves,
+                               const ContactCurves::Fan& fan) const;
 
  private:
+  using Touch = ContactCurves::Touch;
+  // `touchAt`: returns a point of contact at the parameters. `doesOwn`: returns whether it belongs
+  // to the surface.
+  std::vector<Condition> ofContacts(
+      int surface, std::function<Touch(const Eigen::Vector2d&)> touchAt,
+      std::function<bool(const Eigen::Vector2d&, const Touch&)> doesOwn) const;
   const StepPath& path() const { return moving_->paths[step_]; }
 
   std::shared_ptr<const MovingBody> moving_;

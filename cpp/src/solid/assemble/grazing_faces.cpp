@@ -18,6 +18,12 @@ using Eigen::Vector3d;
 
 namespace {
 
+// Returns whether two points of contact are the same.
+bool isAt(const Vector3d& a, const Vector3d& b) {
+  constexpr double kOnCurve = 1e-6;  // mm
+  return (a - b).norm() < kOnCurve;
+}
+
 // Where a contact curve bends quickly, splines of a high degree need fewer poles.
 std::optional<FittedSheet> fittedGraze(const ExactSurface& exact, Range w, Range t,
                                        const Knots* given) {
@@ -34,8 +40,11 @@ bool TurningStep::endsExactly(const Contact& contact) const {
 }
 
 void TurningStep::appendGrazes(int surface, int curve) {
-  constexpr double kWider = 0.05;
   const ContactCurves& curves = curves_[surface];
+  if (const auto fan = curves.fanOf(curve)) {
+    appendFan(surface, curve, *fan);
+    return;
+  }
   std::vector<Range> times;
   for (const Contact& contact : contacts_) {
     if (body_.faces[contact.face].surface != surface || contact.curve != curve) continue;
@@ -44,9 +53,9 @@ void TurningStep::appendGrazes(int surface, int curve) {
     times.push_back(
         {std::max(within.from, contact.s.from - wider), std::min(within.to, contact.s.to + wider)});
   }
-  const bool isHalf = curves.otherHalf(curve) != ContactCurves::kNoCurve;
+  const bool isPart = curves.isPart(curve);
   // All around the axis, it may touch no edge.
-  if (isHalf) times.push_back(curves.times(curve));
+  if (isPart) times.push_back(curves.times(curve));
   std::sort(times.begin(), times.end(),
             [](const Range& a, const Range& b) { return a.from < b.from; });
   std::vector<Range> joined;
@@ -65,12 +74,12 @@ void TurningStep::appendGrazes(int surface, int curve) {
     Range w = curves.extent(curve);
     if (body_.surfaces[surface].kind == BodySurface::Kind::Torus) {
       // Elsewhere the curve may be far outside of the face, and irregular.
-      if (!isHalf) w = {HUGE_VAL, -HUGE_VAL};
+      if (!isPart) w = {HUGE_VAL, -HUGE_VAL};
       for (const Contact& contact : contacts_) {
         if (belongs(contact, surface, curve, s)) w = w.with(contact.w.from).with(contact.w.to);
       }
     }
-    w = w.grown(kWider);
+    w = rangeOf(curves, curve, w);
     const Knots straight(1, {w.from, w.to});
     if (isFixed(exact, w, motion_.timeOf(s))) {
       dropContacts(surface, curve, s);
@@ -86,6 +95,60 @@ void TurningStep::appendGrazes(int surface, int curve) {
                                 motion_.timeOf(s.to), Precision::Confusion());
     added.conditions = conditions_.ofGraze(surface, curves, curve);
   }
+}
+
+Range TurningStep::rangeOf(const ContactCurves& curves, int curve, Range w) const {
+  constexpr double kWider = 0.05;
+  Range wide = w.grown(kWider);
+  // In a window, the curve would bend too much.
+  const Range own = curves.extent(curve);
+  if (curves.isAtWindow(curve, false)) wide.from = own.from;
+  if (curves.isAtWindow(curve, true)) wide.to = own.to;
+  return wide;
+}
+
+void TurningStep::appendFan(int surface, int curve, const ContactCurves::Fan& fan) {
+  const ContactCurves& curves = curves_[surface];
+  Graze graze{surface, curve, curves.extent(curve), curves.times(curve), -1, fan};
+  for (const Graze& other : grazes_) {
+    if (other.surface == surface && other.fan && *other.fan == fan) graze.face = other.face;
+  }
+  if (graze.face < 0) {
+    const Eigen::AlignedBox2d extent = curves.extent(fan);
+    const Range u{extent.min().x(), extent.max().x()},
+        v = motion_.timeOf(Range{extent.min().y(), extent.max().y()});
+    const auto exact = [&](double x, double y) -> Vector3d {
+      const auto touch = touchOf(graze, {x, y});
+      return motion_.at(touch.p, touch.s);
+    };
+    const auto fitted = fittedGraze(exact, u, v, nullptr);
+    if (!fitted) return;
+    graze.face = static_cast<int>(to_.faces.size());
+    SweptFace& added = to_.faces.emplace_back();
+    added.face = BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), u.from, u.to, v.from, v.to,
+                                         Precision::Confusion());
+    added.conditions = conditions_.ofFan(surface, curves, fan);
+  }
+  grazes_.push_back(graze);
+}
+
+Vector2d TurningStep::onGraze(const Graze& graze, double w, double s) const {
+  if (!graze.fan) return {w, motion_.timeOf(s)};
+  return parametersOn(graze, curves_[graze.surface].at(graze.curve, w, s), s);
+}
+
+Vector2d TurningStep::parametersOn(const Graze& graze, const Vector3d& p, double s) const {
+  const ContactCurves& curves = curves_[graze.surface];
+  if (!graze.fan) return {curves.positionAt(graze.curve, p, s), motion_.timeOf(s)};
+  const Vector2d on = curves.parametersOf(*graze.fan, p, s);
+  return {on.x(), motion_.timeOf(on.y())};
+}
+
+ContactCurves::Touch TurningStep::touchOf(const Graze& graze, const Vector2d& on) const {
+  const ContactCurves& curves = curves_[graze.surface];
+  const double s = on.y() / motion_.length();
+  if (graze.fan) return curves.at(*graze.fan, {on.x(), s});
+  return {curves.at(graze.curve, on.x(), s), s};
 }
 
 bool TurningStep::isFixed(const ExactSurface& exact, Range w, Range t) const {
@@ -129,17 +192,15 @@ void TurningStep::appendContact(const Contact& contact) {
         const Vector2d on = arc.at(t);
         return motion_.at(edge.at(on.x()), on.y());
       },
-      arc.range());
+      contact.along);
   if (shape.IsNull()) return;
   SweptSection divider{shape, {}};
   if (graze != nullptr) {
-    const ContactCurves& curves = curves_[graze->surface];
-    const auto onGraze = [&](double t) {
+    const auto onFace = [&](double t) {
       const Vector2d on = arc.at(t);
-      return Vector2d(curves.positionAt(graze->curve, edge.at(on.x()), on.y()),
-                      motion_.timeOf(on.y()));
+      return parametersOn(*graze, edge.at(on.x()), on.y());
     };
-    if (!addCurveOn(to_.faces[graze->face].face, shape, onGraze, {1, 1}, arc.range())) return;
+    if (!addCurveOn(to_.faces[graze->face].face, shape, onFace, {1, 1}, contact.along)) return;
     divider.faces.push_back(graze->face);
   }
   if (sheet >= 0) {
@@ -147,7 +208,7 @@ void TurningStep::appendContact(const Contact& contact) {
       const Vector2d on = arc.at(t);
       return Vector2d(on.x(), motion_.timeOf(on.y()));
     };
-    if (!addCurveOn(to_.faces[sheet].face, shape, onSheet, {edge.scale, 1}, arc.range())) return;
+    if (!addCurveOn(to_.faces[sheet].face, shape, onSheet, {edge.scale, 1}, contact.along)) return;
     divider.faces.push_back(sheet);
   }
   if (!divider.faces.empty()) to_.dividers.push_back(divider);
@@ -164,31 +225,33 @@ void TurningStep::appendContactCurves(const Graze& graze, int time) {
 std::vector<Range> TurningStep::partsIn(int f, const Graze& graze, double s,
                                         const Graze* next) const {
   const ContactCurves& curves = curves_[graze.surface];
-  std::vector<double> crossings;
-  if (curves.otherHalf(graze.curve) != ContactCurves::kNoCurve) {
-    const Range half = curves.extent(graze.curve);
-    crossings = {half.from, half.to};
+  std::vector<double> cuts;
+  if (curves.isPart(graze.curve)) {
+    const Range own = curves.extent(graze.curve);
+    cuts = {own.from, own.to};
   }
-  if (next != nullptr && curves.otherHalf(next->curve) != ContactCurves::kNoCurve) {
-    const Range half = curves.extent(next->curve);
-    for (const double end : {half.from, half.to}) {
+  if (next != nullptr && curves.isPart(next->curve)) {
+    const Range other = curves.extent(next->curve);
+    for (const double end : {other.from, other.to}) {
       const double w = curves.positionAt(graze.curve, curves.at(next->curve, end, s), s);
-      if (curves.doesOwn(graze.curve, w)) crossings.push_back(w);
+      if (curves.doesOwn(graze.curve, w)) cuts.push_back(w);
     }
   }
   for (const Vector3d& p : contactsOnBorder(f, s)) {
     const double w = curves.positionAt(graze.curve, p, s);
-    constexpr double kOnCurve = 1e-6;  // mm
-    if ((curves.at(graze.curve, w, s) - p).norm() < kOnCurve && curves.doesOwn(graze.curve, w))
-      crossings.push_back(w);
+    if (isAt(curves.at(graze.curve, w, s), p) && curves.doesOwn(graze.curve, w)) cuts.push_back(w);
   }
-  std::sort(crossings.begin(), crossings.end());
+  return insideOf(f, std::move(cuts), [&](double w) { return curves.at(graze.curve, w, s); });
+}
+
+std::vector<Range> TurningStep::insideOf(int f, std::vector<double> cuts,
+                                         const std::function<Vector3d(double)>& at) const {
+  std::sort(cuts.begin(), cuts.end());
   std::vector<Range> parts;
-  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-    const Range w{crossings[i], crossings[i + 1]};
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const Range w{cuts[i], cuts[i + 1]};
     if (w.length() < Precision::Confusion()) continue;
-    const Vector3d middle = curves.at(graze.curve, w.at(0.5), s);
-    if (body_.placeOf(f, middle) == TopAbs_IN) parts.push_back(w);
+    if (body_.placeOf(f, at(w.at(0.5))) == TopAbs_IN) parts.push_back(w);
   }
   return parts;
 }
@@ -209,7 +272,7 @@ TopoDS_Edge TurningStep::contactEdge(const Graze& graze, double s, Range w) cons
     return edge;
   }
   const TopoDS_Edge edge = fittedEdge(exact, w);
-  const auto on = [&](double x) { return Vector2d(x, motion_.timeOf(s)); };
+  const auto on = [&](double x) { return onGraze(graze, x, s); };
   return edge.IsNull() || addCurveOn(face, edge, on, {1, 1}, w) ? edge : TopoDS_Edge();
 }
 
@@ -235,41 +298,106 @@ void TurningStep::appendContactCurve(const Graze& graze, int time, int f, Range 
 void TurningStep::appendChange(const Graze& graze, const Graze& next) {
   const double s = graze.s.to;
   if (graze.surface != next.surface || s >= 1 || std::abs(next.s.from - s) > kSameTime) return;
+  if (graze.fan && next.fan && graze.fan->isBeside(*next.fan)) return;  // see appendMoment()
   const ContactCurves& curves = curves_[graze.surface];
   for (std::size_t f = 0; f < body_.faces.size(); ++f) {
     if (body_.faces[f].surface != graze.surface) continue;
     for (const Range& w : partsIn(static_cast<int>(f), graze, s, &next)) {
-      const auto onNext = [&](double x) {
-        return curves.positionAt(next.curve, curves.at(graze.curve, x, s), s);
-      };
       const Vector3d middle = curves.at(graze.curve, w.at(0.5), s);
-      const double there = onNext(w.at(0.5));
+      const double there = curves.positionAt(next.curve, middle, s);
       const bool isSame =
           (curves.at(next.curve, there, s) - middle).norm() < Precision::Confusion();
       if (!isSame || !curves.doesOwn(next.curve, there)) continue;
       const TopoDS_Edge edge = contactEdge(graze, s, w);
-      const auto on = [&](double x) { return Vector2d(onNext(x), motion_.timeOf(s)); };
+      const auto on = [&](double x) { return parametersOn(next, curves.at(graze.curve, x, s), s); };
       if (!edge.IsNull() && addCurveOn(to_.faces[next.face].face, edge, on, {1, 1}, w))
         to_.dividers.push_back({edge, {graze.face, next.face}});
     }
   }
 }
 
-void TurningStep::appendSeam(const Graze& half, const Graze& other) {
-  const ContactCurves& curves = curves_[half.surface];
-  if (other.surface != half.surface || curves.otherHalf(half.curve) != other.curve) return;
-  const Range t = motion_.timeOf(half.s);
-  const double end = curves.extent(half.curve).to, start = curves.extent(other.curve).from;
-  const TopoDS_Edge edge = fittedEdge(
-      [&](double x) {
-        const double s = x / motion_.length();
-        return motion_.at(curves.at(half.curve, end, s), s);
-      },
-      t);
-  const auto at = [](double w) { return [w](double x) { return Vector2d(w, x); }; };
-  if (!edge.IsNull() && addCurveOn(to_.faces[half.face].face, edge, at(end), {1, 1}, t) &&
-      addCurveOn(to_.faces[other.face].face, edge, at(start), {1, 1}, t))
-    to_.dividers.push_back({edge, {half.face, other.face}});
+void TurningStep::appendSeam(const Graze& part, const Graze& next) {
+  const ContactCurves& curves = curves_[part.surface];
+  if (next.surface != part.surface || !curves.doesContinue(part.curve, next.curve)) return;
+  const Range t =
+      motion_.timeOf(Range{std::max(part.s.from, next.s.from), std::min(part.s.to, next.s.to)});
+  if (t.length() < Precision::Confusion()) return;
+  // Where a part ends at a fan, the curve of the fan is irregular at the critical moment.
+  const bool isFromNext = part.fan.has_value();
+  const int curve = isFromNext ? next.curve : part.curve;
+  const Range own = curves.extent(curve);
+  const double w = isFromNext ? own.from : own.to;
+  const auto at = [&](double x) { return curves.at(curve, w, x / motion_.length()); };
+  const TopoDS_Edge edge =
+      fittedEdge([&](double x) { return motion_.at(at(x), x / motion_.length()); }, t);
+  if (edge.IsNull()) return;
+  for (const Graze* graze : {&part, &next}) {
+    const auto on = [&](double x) -> Vector2d {
+      if (graze->curve == curve) return {w, x};
+      return parametersOn(*graze, at(x), x / motion_.length());
+    };
+    if (!addCurveOn(to_.faces[graze->face].face, edge, on, {1, 1}, t)) return;
+  }
+  to_.dividers.push_back({edge, {part.face, next.face}});
+}
+
+void TurningStep::appendMoment(const Graze& before, const Graze& after) {
+  if (before.surface != after.surface || !before.fan || !after.fan) return;
+  const ContactCurves& curves = curves_[before.surface];
+  const CriticalCircle& critical = curves.criticalOf(*before.fan);
+  const double s = critical.time();
+  const bool isPair = before.fan->isBeside(*after.fan) && std::abs(before.s.to - s) < kSameTime &&
+                      std::abs(after.s.from - s) < kSameTime;
+  if (!isPair) return;
+  const Pipe& pipe = curves.pipeOf(*before.fan);
+  const double x = critical.position();
+  const int half = before.fan->quarter.half;
+  if (half == after.fan->quarter.half) {
+    const Range psi = critical.onCircle(half);
+    const double scale = pipe.radius();
+    const auto at = [&](double w) {
+      return pipe.at(x, {std::cos(w / scale), std::sin(w / scale)});
+    };
+    const auto positionOf = [&](const Vector3d& p) {
+      return scale * angleNear(psi.at(0.5), pipe.parametersOf(p, x).y());
+    };
+    appendBorder(before, after, s, {scale * psi.from, scale * psi.to}, at, positionOf);
+    return;
+  }
+  const double scale = pipe.scale(), sign = half == 1 ? 1 : -1;
+  const auto positionOf = [&](const Vector3d& p) { return scale * pipe.parametersOf(p, x).x(); };
+  for (const bool isBeyond : {false, true}) {
+    const Range within = critical.positions(s);
+    const Range on{isBeyond ? x : within.from, isBeyond ? within.to : x};
+    const auto at = [&](double w) {
+      return pipe.at(w / scale,
+                     (isBeyond ? sign : -sign) * critical.directionAtMoment(w / scale));
+    };
+    appendBorder(before, after, s, {scale * on.from, scale * on.to}, at, positionOf);
+  }
+}
+
+void TurningStep::appendBorder(const Graze& one, const Graze& other, double s, Range range,
+                               const std::function<Vector3d(double)>& p,
+                               const std::function<double(const Vector3d&)>& positionOf) {
+  for (std::size_t f = 0; f < body_.faces.size(); ++f) {
+    if (body_.faces[f].surface != one.surface) continue;
+    const int face = static_cast<int>(f);
+    std::vector<double> cuts{range.from, range.to};
+    for (const Vector3d& contact : contactsOnBorder(face, s)) {
+      const double w = positionOf(contact);
+      if (w > range.from && w < range.to && isAt(p(w), contact)) cuts.push_back(w);
+    }
+    for (const Range& w : insideOf(face, std::move(cuts), p)) {
+      const TopoDS_Edge edge = fittedEdge([&](double t) { return motion_.at(p(t), s); }, w);
+      const auto addTo = [&](const Graze& graze) {
+        const auto on = [&](double t) { return parametersOn(graze, p(t), s); };
+        return addCurveOn(to_.faces[graze.face].face, edge, on, {1, 1}, w);
+      };
+      if (!edge.IsNull() && addTo(one) && addTo(other))
+        to_.dividers.push_back({edge, {one.face, other.face}});
+    }
+  }
 }
 
 void TurningStep::appendRegressions() {
@@ -284,25 +412,38 @@ void TurningStep::appendRegressions() {
 }
 
 TurningStep::Regression TurningStep::regressionOf(const Graze& graze) const {
-  const ContactCurves& curves = curves_[graze.surface];
+  const bool isKnown = std::any_of(grazes_.data(), &graze,
+                                   [&](const Graze& other) { return other.face == graze.face; });
+  if (isKnown) return {};
+  Range w = graze.w, s = graze.s;
+  if (graze.fan) {
+    const Eigen::AlignedBox2d extent = curves_[graze.surface].extent(*graze.fan);
+    w = {extent.min().x(), extent.max().x()};
+    s = {extent.min().y(), extent.max().y()};
+  }
+  const auto touchAt = [&](const Vector2d& on) {
+    return touchOf(graze, {on.x(), motion_.timeOf(on.y())});
+  };
   const auto exact = [&](const Vector2d& on) {
-    return motion_.at(curves.at(graze.curve, on.x(), on.y()), on.y());
+    const auto touch = touchAt(on);
+    return motion_.at(touch.p, touch.s);
   };
   // Returns the signed area of the surface per unit of its parameters.
-  const double stepW = 1e-3 * graze.w.length(), stepS = 1e-3;
+  const double stepW = 1e-3 * w.length(), stepS = graze.fan ? 1e-3 * s.length() : 1e-3;
   const auto slope = [&](const Vector2d& on, const Vector2d& step) -> Vector3d {
     return (8 * (exact(on + step) - exact(on - step)) -
             (exact(on + 2 * step) - exact(on - 2 * step))) /
            12;
   };
   const OfTwo area = [&](const Vector2d& on) {
-    const Vector3d normal = path_.at(on.y()).rotation * body_.surfaces[graze.surface].normalAt(
-                                                            curves.at(graze.curve, on.x(), on.y()));
+    const auto touch = touchAt(on);
+    const Vector3d normal =
+        path_.at(touch.s).rotation * body_.surfaces[graze.surface].normalAt(touch.p);
     return slope(on, {stepW, 0}).cross(slope(on, {0, stepS})).dot(normal) /
            (stepW * stepS * motion_.length());
   };
   Regression regression;
-  for (const ZeroArc& arc : zeroArcs(area, graze.w, graze.s, {1, motion_.length()})) {
+  for (const ZeroArc& arc : zeroArcs(area, w, s, {1, motion_.length()})) {
     const TopoDS_Edge edge = fittedEdge([&](double t) { return exact(arc.at(t)); }, arc.range());
     const auto on = [&](double t) {
       const Vector2d p = arc.at(t);
@@ -318,15 +459,15 @@ TurningStep::Regression TurningStep::regressionOf(const Graze& graze) const {
 std::vector<gp_Pnt> TurningStep::crossingsOf(const Graze& graze, const OfTwo& area) const {
   std::vector<gp_Pnt> crossings;
   for (const Contact& contact : contacts_) {
-    if (grazeOf(contact) != &graze) continue;
+    const Graze* own = grazeOf(contact);
+    if (own == nullptr || own->face != graze.face) continue;
     const BodyEdge& edge = body_.edges[contact.edge];
-    const auto onGraze = [&](double t) {
-      const Vector2d on = contact.arc.at(t);
-      return Vector2d(curves_[graze.surface].positionAt(graze.curve, edge.at(on.x()), on.y()),
-                      on.y());
+    const auto onSurface = [&](double t) {
+      const Vector2d at = contact.arc.at(t);
+      const Vector2d there = parametersOn(graze, edge.at(at.x()), at.y());
+      return Vector2d(there.x(), there.y() / motion_.length());
     };
-    for (const double t :
-         zerosOf([&](double x) { return area(onGraze(x)); }, contact.arc.range())) {
+    for (const double t : zerosOf([&](double x) { return area(onSurface(x)); }, contact.along)) {
       const Vector2d on = contact.arc.at(t);
       crossings.push_back(pointOf(motion_.at(edge.at(on.x()), on.y())));
     }

@@ -67,6 +67,7 @@ bool TurningStep::append(const PosedBody& start, const PosedBody& end,
     for (const Graze& next : grazes_) {
       appendChange(graze, next);
       appendSeam(graze, next);
+      appendMoment(graze, next);
     }
   }
   appendRegressions();
@@ -279,19 +280,50 @@ void TurningStep::findContacts(int e, int f, std::size_t part, Range within) {
   const BodyEdge& edge = body_.edges[e];
   const ContactCurves& curves = curves_[body_.faces[f].surface];
   for (const ZeroArc& arc : motion_.contactsOf(edge, f, within)) {
-    const Range range = arc.range();
-    const Vector2d middle = arc.at(range.at(0.5));
-    const int curve = curves.curveOf(edge.at(middle.x()), middle.y());
-    Range s{HUGE_VAL, -HUGE_VAL}, w = s;
-    constexpr int kPoints = 16;
-    for (int j = 0; j <= kPoints; ++j) {
-      const Vector2d on = arc.at(range.at(static_cast<double>(j) / kPoints));
-      s = s.with(std::clamp(on.y(), within.from, within.to));
-      if (curve != ContactCurves::kNoCurve)
-        w = w.with(curves.positionAt(curve, edge.at(on.x()), on.y()));
+    const std::vector<double> cuts = cutsOf(arc, edge, curves, within);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      const Range along{cuts[i], cuts[i + 1]};
+      const Vector2d middle = arc.at(along.at(0.5));
+      const int curve = curves.curveOf(edge.at(middle.x()), middle.y());
+      Range s{HUGE_VAL, -HUGE_VAL}, w = s;
+      constexpr int kPoints = 16;
+      for (int j = 0; j <= kPoints; ++j) {
+        const Vector2d on = arc.at(along.at(static_cast<double>(j) / kPoints));
+        s = s.with(std::clamp(on.y(), within.from, within.to));
+        if (curve != ContactCurves::kNoCurve)
+          w = w.with(curves.positionAt(curve, edge.at(on.x()), on.y()));
+      }
+      contacts_.push_back({e, f, curve, part, arc, along, s, w});
     }
-    contacts_.push_back({e, f, curve, part, arc, s, w});
   }
+}
+
+std::vector<double> TurningStep::cutsOf(const ZeroArc& arc, const BodyEdge& edge,
+                                        const ContactCurves& curves, Range within) const {
+  constexpr double kNear = 0.1;  // of x: elsewhere, the offset jumps by a whole turn
+  const Range whole = arc.range();
+  std::vector<double> cuts{whole.from, whole.to};
+  for (int curve = 0; curve < curves.count(); ++curve) {
+    const Range& times = curves.times(curve);
+    if (!curves.isPart(curve) || times.to <= within.from || times.from >= within.to) continue;
+    for (const bool isEnd : {false, true}) {
+      const auto offset = [&](double t) {
+        const Vector2d on = arc.at(t);
+        return curves.offsetFromEnd(curve, isEnd, edge.at(on.x()), on.y());
+      };
+      for (const double t : zerosOf(offset, whole)) {
+        if (std::abs(offset(t)) > kNear) continue;
+        const double s = arc.at(t).y();
+        if (s >= times.from && s <= times.to) cuts.push_back(t);
+      }
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end(),
+                         [](double a, double b) { return b - a < Precision::Confusion(); }),
+             cuts.end());
+  cuts.back() = whole.to;
+  return cuts;
 }
 
 }  // namespace swept::step

@@ -5,7 +5,9 @@
 
 #include <TopoDS_Edge.hxx>
 #include <array>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "motion/step_path.h"
@@ -68,15 +70,18 @@ class TurningStep {
     int curve;          // of ContactCurves, or its kNoCurve
     std::size_t sheet;  // of the edge
     ZeroArc arc;        // parameter of the edge, time
+    Range along;        // the part of the arc
     Range s;
     Range w;  // positions on the contact curve
   };
 
-  // A grazing surface. Its parameters are the position on the contact curve, and time.
+  // What a contact curve sweeps in a range of times. The parameters of its surface are the position
+  // on the contact curve, and time; if it is a part of a fan, those of the fan.
   struct Graze {
     int surface, curve;
     Range w, s;
     int face;
+    std::optional<ContactCurves::Fan> fan = std::nullopt;
     // `time`: 0 or 1.
     bool reaches(int time) const { return time == 0 ? s.from <= 0 : s.to >= 1; }
   };
@@ -96,6 +101,10 @@ class TurningStep {
   void findContacts(int e);
   // Finds those on one of its faces and on one part of its sheet, within a range of times.
   void findContacts(int e, int f, std::size_t part, Range within);
+  // Returns the positions on an arc at which it passes from one part of a contact curve to another,
+  // and both its ends, in order.
+  std::vector<double> cutsOf(const ZeroArc& arc, const BodyEdge& edge, const ContactCurves& curves,
+                             Range within) const;
   // Returns whether the grazing surface must end exactly when the contact does. This is so if the
   // body moves in a plane: the contact curve is orthogonal to this plane, so it reaches an edge
   // that is orthogonal to it as a whole. A grazing surface that went on beyond this time would be
@@ -104,6 +113,17 @@ class TurningStep {
   // Appends the surfaces that a contact curve of a surface of the body sweeps, for the times at
   // which it touches a face.
   void appendGrazes(int surface, int curve);
+  // Appends what a contact curve sweeps in the window of a critical circle, and the whole fan if it
+  // is the first of its curves.
+  void appendFan(int surface, int curve, const ContactCurves::Fan& fan);
+  // Returns the range of positions that the surface of a contact curve covers.
+  Range rangeOf(const ContactCurves& curves, int curve, Range w) const;
+  // Returns the parameters of the point of contact at a position, on the surface of a graze.
+  Eigen::Vector2d onGraze(const Graze& graze, double w, double s) const;
+  // The same for a point of contact.
+  Eigen::Vector2d parametersOn(const Graze& graze, const Eigen::Vector3d& p, double s) const;
+  // Returns the point of contact at these parameters.
+  ContactCurves::Touch touchOf(const Graze& graze, const Eigen::Vector2d& on) const;
   // Returns whether a grazing surface lies in a fixed surface. This happens where a face
   // that slides continues smoothly into a cylinder.
   bool isFixed(const ExactSurface& exact, Range w, Range t) const;
@@ -126,12 +146,24 @@ class TurningStep {
   // `next`: the grazing surface that begins then. Each part lies on one half of its contact curve.
   std::vector<Range> partsIn(int f, const Graze& graze, double s,
                              const Graze* next = nullptr) const;
+  // Returns the ranges between two positions on a curve at which it lies inside a face.
+  std::vector<Range> insideOf(int f, std::vector<double> cuts,
+                              const std::function<Eigen::Vector3d(double)>& at) const;
   // Appends the parts of a contact curve inside faces at which a grazing surface ends and another
   // begins, because the courses of the contact curves change at this time.
   void appendChange(const Graze& graze, const Graze& next);
-  // Appends the curve in which the grazing surface of a half of a contact curve ends and that of
-  // the other half begins.
-  void appendSeam(const Graze& half, const Graze& other);
+  // Appends the curve in which the grazing surface of a part of a contact curve ends and that of
+  // the next part begins.
+  void appendSeam(const Graze& part, const Graze& next);
+  // Appends the curves in which a fan of points of contact before the critical moment meets one
+  // after it: the contact curve at this moment if both belong to one contact curve, the critical
+  // circle if both belong to one half.
+  void appendMoment(const Graze& before, const Graze& after);
+  // Appends the parts of a curve inside faces at which two surfaces meet at one time. `p`: points
+  // of the body.
+  void appendBorder(const Graze& one, const Graze& other, double s, Range range,
+                    const std::function<Eigen::Vector3d(double)>& p,
+                    const std::function<double(const Eigen::Vector3d&)>& positionOf);
   // Returns a part of the contact curve of a grazing surface at one time as a curve on it. Null if
   // that fails.
   TopoDS_Edge contactEdge(const Graze& graze, double s, Range w) const;
