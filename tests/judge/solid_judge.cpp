@@ -279,6 +279,10 @@ void writeRing(double radius, double tube, const std::string& path) {
   BRepTools::Write(BRepPrimAPI_MakeTorus(radius, tube).Shape(), path.c_str());
 }
 
+void writeElbow(double radius, double tube, const std::string& path) {
+  writeBrep(BRepPrimAPI_MakeTorus(radius, tube, M_PI / 2).Shape(), path);
+}
+
 JudgedSolid judgeSolid(const TopoDS_Shape& shape, std::size_t detailCount, bool withBlock) {
   JudgedSolid judged;
   judged.valid = BRepCheck_Analyzer(shape).IsValid();

@@ -59,6 +59,8 @@ void writeHalfBall(double radius, const std::string& path);
 void writeBlockWithRoundTop(double length, double width, double height, double radius,
                             const std::string& path);
 void writeRing(double radius, double tube, const std::string& path);
+/// A quarter of a ring.
+void writeElbow(double radius, double tube, const std::string& path);
 
 /// detailCount: largest number of faults that are described. withBlock: also computes blockError
 /// (takes longer).

@@ -324,7 +324,8 @@ Vector2d ContactCurves::parametersOf(const Fan& fan, const Vector3d& p, double s
 }
 
 Eigen::AlignedBox2d ContactCurves::extent(const Fan& fan) const {
-  const Range directions = criticalOf(fan).directions(fan.quarter.half), reach = CriticalCircle::reach(fan.quarter.isAfter);
+  const Range directions = criticalOf(fan).directions(fan.quarter.half),
+              reach = CriticalCircle::reach(fan.quarter.isAfter);
   return {Vector2d(directions.from, reach.from).cwiseProduct(scaleOf(fan)),
           Vector2d(directions.to, reach.to).cwiseProduct(scaleOf(fan))};
 }
@@ -333,10 +334,9 @@ bool ContactCurves::doesOwn(const Fan& fan, const Touch& touch) const {
   constexpr double kRounding = 1e-9;
   const CriticalCircle& critical = criticalOf(fan);
   const Range times = critical.times();
-  const Range own = fan.quarter.isAfter ? Range{critical.time(), times.to}
-                                        : Range{times.from, critical.time()};
-  if (touch.s < std::max(0.0, own.from) - kRounding ||
-      touch.s > std::min(1.0, own.to) + kRounding)
+  const Range own =
+      fan.quarter.isAfter ? Range{critical.time(), times.to} : Range{times.from, critical.time()};
+  if (touch.s < std::max(0.0, own.from) - kRounding || touch.s > std::min(1.0, own.to) + kRounding)
     return false;
   const double x = pipeOf(fan).parametersOf(touch.p, critical.positions(touch.s).at(0.5)).x();
   return std::abs(critical.offsetOf(x, touch.s)) <= 1 + kRounding;

@@ -81,9 +81,7 @@ class ContactCurves {
     bool isBeside(const Fan& other) const {
       return pipe == other.pipe && critical == other.critical;
     }
-    bool operator==(const Fan& other) const {
-      return isBeside(other) && quarter == other.quarter;
-    }
+    bool operator==(const Fan& other) const { return isBeside(other) && quarter == other.quarter; }
   };
   /// Returns the fan that contains what a curve sweeps, if there is one.
   std::optional<Fan> fanOf(int curve) const;

@@ -63,6 +63,9 @@ CriticalCircle::CriticalCircle(const Pipe& pipe, const StepPath& path, double x,
   constexpr double kLinear = 0.25;  // how much of the speeds may be nonlinear
   constexpr double kShorter = 0.8;
   constexpr double kShortest = 1e-4;
+  // mm: smaller windows help nothing. A cylinder that turns in a plane with its axis has a circle
+  // of this kind at all times, which does not become another curve.
+  constexpr double kNarrowest = 1e-3;
   byX_ = pipe.speedChanges(x, Moment(path, s));
   const Vector2d still = byTimeAt(pipe, path, x, s);
   drift_ = -still.dot(byX_) / byX_.squaredNorm();
@@ -71,7 +74,8 @@ CriticalCircle::CriticalCircle(const Pipe& pipe, const StepPath& path, double x,
   middle_ = std::atan2(-byTime_.x(), byTime_.y());
   duration_ = kLongest;
   while (!(nonlinearity() < kLinear) && duration_ > kShortest) duration_ *= kShorter;
-  if (duration_ <= kShortest || !std::isfinite(slope_)) duration_ = 0;
+  const double width = slope_ * duration_ * pipe.scale();
+  if (duration_ <= kShortest || !(width > kNarrowest)) duration_ = 0;
 }
 
 CriticalCircle::Place CriticalCircle::placeOf(const Vector2d& on) const {

@@ -370,8 +370,7 @@ void TurningStep::appendMoment(const Graze& before, const Graze& after) {
     const Range within = critical.positions(s);
     const Range on{isBeyond ? x : within.from, isBeyond ? within.to : x};
     const auto at = [&](double w) {
-      return pipe.at(w / scale,
-                     (isBeyond ? sign : -sign) * critical.directionAtMoment(w / scale));
+      return pipe.at(w / scale, (isBeyond ? sign : -sign) * critical.directionAtMoment(w / scale));
     };
     appendBorder(before, after, s, {scale * on.from, scale * on.to}, at, positionOf);
   }

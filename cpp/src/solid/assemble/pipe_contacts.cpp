@@ -63,22 +63,12 @@ std::vector<Range> PipeContacts::timesOf(const BodySurface& surface, const StepP
 
 PipeContacts::PipeContacts(const BodyGeometry& body, int index, const StepPath& path, Range within)
     : pipe_(turnedToVelocity(body.surfaces[index], path, within)), path_(path), within_(within) {
-  std::array<std::optional<Range>, 2> on;
-  for (const int k : {0, 1}) on[k] = positionsOnFaces(body, index, k == 0 ? 1 : -1);
+  constexpr double kAround = 0.3;  // units beside the faces where circles matter
+  const std::array<std::optional<Range>, 2> on{positionsOnFaces(body, index, 1),
+                                               positionsOnFaces(body, index, -1)};
   if (!on[0] && !on[1]) return;
-  Range both = on[0] ? *on[0] : *on[1];
-  if (on[0] && on[1]) {
-    if (isAllAround(*on[1])) both = *on[1];
-    if (!isAllAround(both)) {
-      // The same angles may be given with a whole turn between.
-      const double turn =
-          pipe_.isCylinder() ? 0 : angleNear(both.at(0.5), on[1]->at(0.5)) - on[1]->at(0.5);
-      both = both.with(on[1]->from + turn).with(on[1]->to + turn);
-      if (!pipe_.isCylinder() && both.length() >= 2 * M_PI) both = {0, 2 * M_PI};
-    }
-  }
+  const Range both = on[0] && on[1] ? joined(*on[0], *on[1]) : on[0].value_or(*on[1]);
   if (pipe_.isCylinder()) unit_ = both.length() / M_PI;
-  constexpr double kAround = 0.3;  // units beside the faces
   if (!pipe_.isSphere()) {
     const Range wide{both.from - kAround * unit_, both.to + kAround * unit_};
     criticals_ = CriticalCircle::find(pipe_, path_, wide, within_, isAllAround(both));
@@ -92,11 +82,7 @@ PipeContacts::PipeContacts(const BodyGeometry& body, int index, const StepPath& 
   std::sort(ends.begin(), ends.end());
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     const Range s{ends[i], ends[i + 1]};
-    const bool hasWindow =
-        std::any_of(criticals_.begin(), criticals_.end(), [&](const CriticalCircle& critical) {
-          return critical.times().from < s.at(0.5) && critical.times().to > s.at(0.5);
-        });
-    if (hasWindow) {
+    if (!windowsAt(s.at(0.5)).empty()) {
       appendParts(both, s);
       continue;
     }
@@ -104,6 +90,24 @@ PipeContacts::PipeContacts(const BodyGeometry& body, int index, const StepPath& 
       if (on[k]) appendWhole(k == 0 ? 1 : -1, *on[k], s);
     }
   }
+}
+
+Range PipeContacts::joined(Range a, Range b) const {
+  if (isAllAround(a)) return a;
+  if (isAllAround(b)) return b;
+  // The same angles may be given with a whole turn between.
+  const double turn = pipe_.isCylinder() ? 0 : angleNear(a.at(0.5), b.at(0.5)) - b.at(0.5);
+  const Range both = a.with(b.from + turn).with(b.to + turn);
+  return isAllAround(both) ? Range{0, 2 * M_PI} : both;
+}
+
+std::vector<int> PipeContacts::windowsAt(double s) const {
+  std::vector<int> windows;
+  for (std::size_t k = 0; k < criticals_.size(); ++k) {
+    const Range times = criticals_[k].times();
+    if (times.from < s && times.to > s) windows.push_back(static_cast<int>(k));
+  }
+  return windows;
 }
 
 bool PipeContacts::isAllAround(Range on) const {
@@ -194,14 +198,11 @@ std::array<PipeContacts::Bend, 2> PipeContacts::bendsAt(double middle, double s)
 
 std::vector<PipeContacts::Bend> PipeContacts::bendsBeside(const Curve& curve, double s) const {
   std::vector<Bend> beside;
-  const double inside = curve.s.at(0.5);
+  const std::vector<int> windows = windowsAt(curve.s.at(0.5));
   for (const Bend& bend : bendsAt(curve.on(s).at(0.5), s)) {
-    const bool isInside =
-        std::any_of(criticals_.begin(), criticals_.end(), [&](const CriticalCircle& critical) {
-          const Range times = critical.times();
-          return inside > times.from && inside < times.to &&
-                 std::abs(critical.offsetOf(bend.at, s)) <= 1;
-        });
+    const bool isInside = std::any_of(windows.begin(), windows.end(), [&](int k) {
+      return std::abs(criticals_[k].offsetOf(bend.at, s)) <= 1;
+    });
     if (!isInside) beside.push_back(bend);
   }
   return beside;
@@ -355,12 +356,10 @@ void PipeContacts::appendParts(Range on, Range within) {
     double at;
   };
   std::vector<Window> windows;
-  for (std::size_t k = 0; k < criticals_.size(); ++k) {
-    const CriticalCircle& critical = criticals_[k];
-    if (critical.times().from > middle || critical.times().to < middle) continue;
-    const double at = critical.positions(middle).at(0.5);
+  for (const int k : windowsAt(middle)) {
+    const double at = criticals_[k].positions(middle).at(0.5);
     const double turn = pipe_.isCylinder() ? 0 : angleNear(on.at(0.5), at) - at;
-    windows.push_back({static_cast<int>(k), turn, at + turn});
+    windows.push_back({k, turn, at + turn});
   }
   std::sort(windows.begin(), windows.end(),
             [](const Window& a, const Window& b) { return a.at < b.at; });
@@ -442,8 +441,8 @@ double PipeContacts::quickestChange(const Curve& curve, Range s) const {
     const auto bends = bendsBeside(curve, t);
     const auto after = bendsAt(middle, t + kStep);
     for (const Bend& bend : bends) {
-      const double beyond = std::max({0.0, on.from - bend.at, bend.at - on.to});
-      if (std::hypot(bend.width, beyond) > kFar * unit_) continue;
+      const double outside = std::max({0.0, on.from - bend.at, bend.at - on.to});
+      if (std::hypot(bend.width, outside) > kFar * unit_) continue;
       // Of the two bends after the time step, the one that this one has become.
       const auto movedTo = [&](const Bend& other) {
         const double off = other.at - bend.at;
@@ -455,16 +454,14 @@ double PipeContacts::quickestChange(const Curve& curve, Range s) const {
       const Vector2d first = movedTo(after[0]), second = movedTo(after[1]);
       const Vector2d moved = (first.norm() < second.norm() ? first : second) / kStep;
       if (!isAllAround(on)) {
-        const double width = std::hypot(bend.width, this->beyond(on, bend));
+        const double width = std::hypot(bend.width, beyond(on, bend));
         quickest = std::min(quickest, width / moved.norm());
         continue;
       }
       quickest = std::min({quickest, bend.width / moved.y(), unit_ / moved.x()});
       // The ends of parts have fixed positions.
       for (const double end : {on.from, middle}) {
-        const double off = bend.at - end;
-        const double distance =
-            std::hypot(pipe_.isCylinder() ? off : std::remainder(off, 2 * M_PI), bend.width);
+        const double distance = std::hypot(std::remainder(bend.at - end, 2 * M_PI), bend.width);
         quickest = std::min(quickest, distance / moved.x());
       }
     }

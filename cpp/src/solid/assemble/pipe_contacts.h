@@ -112,6 +112,10 @@ class PipeContacts {
   // Returns the shortest time in which positions change much.
   double quickestChange(const Curve& curve, Range s) const;
   bool isAllAround(Range on) const;
+  // Returns the range of both.
+  Range joined(Range a, Range b) const;
+  // Returns the critical circles whose windows contain a time.
+  std::vector<int> windowsAt(double s) const;
 
   Pipe pipe_;
   const StepPath& path_;
