@@ -291,15 +291,6 @@ TEST_F(BodySolid, AnElbowThatTurnsFarAlongThreeKeys) {
   expectFacesWithoutFacets(45);
 }
 
-// At one moment, a point of its axis moves along the axis.
-TEST_F(BodySolid, ARodOfWhichACircleTouchesAsAWhole) {
-  const std::string file = folder_.file("rod.brep");
-  writeRod(4, 30, file);
-  readBodyFrom(file);
-  sweep({{0, 0, 0}, {4, 9, 31}}, turned(1.047, {1, -2, 1}));
-  expectFacesWithoutFacets(30);
-}
-
 // The direction in which it moves turns by 136 degrees, seen from the body.
 TEST_F(BodySolid, HalfABallThatTurnsFarAlongThreeKeys) {
   const std::string file = folder_.file("half.brep");

@@ -330,16 +330,16 @@ Eigen::AlignedBox2d ContactCurves::extent(const Fan& fan) const {
           Vector2d(directions.to, reach.to).cwiseProduct(scaleOf(fan))};
 }
 
-bool ContactCurves::doesOwn(const Fan& fan, const Touch& touch) const {
-  constexpr double kRounding = 1e-9;
+bool ContactCurves::doesOwn(const Fan& fan, const Touch& touch, double slack) const {
   const CriticalCircle& critical = criticalOf(fan);
   const Range times = critical.times();
   const Range own =
       fan.quarter.isAfter ? Range{critical.time(), times.to} : Range{times.from, critical.time()};
-  if (touch.s < std::max(0.0, own.from) - kRounding || touch.s > std::min(1.0, own.to) + kRounding)
+  const double later = slack * times.length();
+  if (touch.s < std::max(0.0, own.from) - later || touch.s > std::min(1.0, own.to) + later)
     return false;
   const double x = pipeOf(fan).parametersOf(touch.p, critical.positions(touch.s).at(0.5)).x();
-  return std::abs(critical.offsetOf(x, touch.s)) <= 1 + kRounding;
+  return std::abs(critical.offsetOf(x, touch.s)) <= 1 + slack;
 }
 
 }  // namespace swept::step

@@ -96,8 +96,9 @@ class ContactCurves {
   Touch at(const Fan& fan, const Eigen::Vector2d& on) const;
   Eigen::Vector2d parametersOf(const Fan& fan, const Eigen::Vector3d& p, double s) const;
   Eigen::AlignedBox2d extent(const Fan& fan) const;
-  /// Returns whether a point of contact lies in the window of a fan.
-  bool doesOwn(const Fan& fan, const Touch& touch) const;
+  /// Returns whether a point of contact lies in the window of a fan. `slack`: how far it may lie
+  /// beyond, as a fraction of the window.
+  bool doesOwn(const Fan& fan, const Touch& touch, double slack = 1e-9) const;
 
   /// Unit vector along the line or the axis, in coordinates of the body.
   const Eigen::Vector3d& along() const { return along_; }

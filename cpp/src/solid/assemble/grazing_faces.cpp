@@ -128,6 +128,11 @@ void TurningStep::appendFan(int surface, int curve, const ContactCurves::Fan& fa
     added.face = BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), u.from, u.to, v.from, v.to,
                                          Precision::Confusion());
     added.conditions = conditions_.ofFan(surface, curves, fan);
+    added.own = [curves, fan, length = motion_.length()](const Vector2d& on) {
+      constexpr double kSlack = 0.05;  // curves near the border show where others end
+      const auto touch = curves.at(fan, {on.x(), on.y() / length});
+      return touch.p.allFinite() && curves.doesOwn(fan, touch, kSlack) ? 1.0 : -1.0;
+    };
   }
   grazes_.push_back(graze);
 }

@@ -214,6 +214,8 @@ bool MeshedFaces::isPossible(int f, const Vector2d& on) const {
   // 462.
   constexpr std::size_t kManyFaces = 100;
   constexpr double kSure = 1e-3;
+  // Where faces overlap, their triangulations intersect at random.
+  if (given_[f].own && given_[f].own(on) < 0) return false;
   return faces_.size() < kManyFaces || given_[f].isPossible(on, kSure);
 }
 

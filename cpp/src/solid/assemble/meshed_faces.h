@@ -69,8 +69,8 @@ class MeshedFaces {
 
   Jet jet(int f, const Eigen::Vector2d& on) const;
   bool isInFace(int f, const Eigen::Vector2d& on) const;
-  /// Returns whether a point of a face may be on the envelope. If there are few faces, this is not
-  /// tested.
+  /// Returns whether a point of a face may be on the envelope and belongs to no other face. If
+  /// there are few faces, the first is not tested.
   bool isPossible(int f, const Eigen::Vector2d& on) const;
   /// Returns whether the parameters are within the range of those of the face, or a little beyond.
   bool isInRange(int f, const Eigen::Vector2d& on) const;

@@ -43,6 +43,9 @@ struct SweptFace {
   std::vector<TopoDS_Edge> inner = {};
   /// The face is divided where the sign of one of these changes.
   std::vector<Condition> conditions = {};
+  /// Negative where another face has the same points; null if there is none. (Faces that continue
+  /// each other overlap.)
+  Condition own = {};
 
   /// Returns whether a point meets all conditions, or misses them by at most `slack`.
   bool isPossible(const Eigen::Vector2d& on, double slack) const {
