@@ -16,24 +16,13 @@ namespace swept::step {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-namespace {
-
-// Returns whether two points of contact are the same.
-bool isAt(const Vector3d& a, const Vector3d& b) {
-  constexpr double kOnCurve = 1e-6;  // mm
-  return (a - b).norm() < kOnCurve;
-}
-
-// Where a contact curve bends quickly, splines of a high degree need fewer poles.
-std::optional<FittedSheet> fittedGraze(const ExactSurface& exact, Range w, Range t,
-                                       const Knots* given) {
+std::optional<FittedSheet> TurningStep::fittedGraze(const ExactSurface& exact, Range w, Range t,
+                                                    const Knots* given) {
   constexpr std::size_t kFewPoles = 1500;
   constexpr int kHighDegree = 9;
   if (auto fitted = fitSheet(exact, w, t, given, kSurfaceBound, kFewPoles)) return fitted;
   return fitSheet(exact, w, t, given, kSurfaceBound, kMaxTurningPoles, kHighDegree);
 }
-
-}  // namespace
 
 bool TurningStep::endsExactly(const Contact& contact) const {
   return contact.s.length() < kSameTime || motion_.slidesAt(body_.edges[contact.edge]);
@@ -105,36 +94,6 @@ Range TurningStep::rangeOf(const ContactCurves& curves, int curve, Range w) cons
   if (curves.isAtWindow(curve, false)) wide.from = own.from;
   if (curves.isAtWindow(curve, true)) wide.to = own.to;
   return wide;
-}
-
-void TurningStep::appendFan(int surface, int curve, const ContactCurves::Fan& fan) {
-  const ContactCurves& curves = curves_[surface];
-  Graze graze{surface, curve, curves.extent(curve), curves.times(curve), -1, fan};
-  for (const Graze& other : grazes_) {
-    if (other.surface == surface && other.fan && *other.fan == fan) graze.face = other.face;
-  }
-  if (graze.face < 0) {
-    const Eigen::AlignedBox2d extent = curves.extent(fan);
-    const Range u{extent.min().x(), extent.max().x()},
-        v = motion_.timeOf(Range{extent.min().y(), extent.max().y()});
-    const auto exact = [&](double x, double y) -> Vector3d {
-      const auto touch = touchOf(graze, {x, y});
-      return motion_.at(touch.p, touch.s);
-    };
-    const auto fitted = fittedGraze(exact, u, v, nullptr);
-    if (!fitted) return;
-    graze.face = static_cast<int>(to_.faces.size());
-    SweptFace& added = to_.faces.emplace_back();
-    added.face = BRepBuilderAPI_MakeFace(kernelSheet(*fitted->sheet), u.from, u.to, v.from, v.to,
-                                         Precision::Confusion());
-    added.conditions = conditions_.ofFan(surface, curves, fan);
-    added.own = [curves, fan, length = motion_.length()](const Vector2d& on) {
-      constexpr double kSlack = 0.05;  // curves near the border show where others end
-      const auto touch = curves.at(fan, {on.x(), on.y() / length});
-      return touch.p.allFinite() && curves.doesOwn(fan, touch, kSlack) ? 1.0 : -1.0;
-    };
-  }
-  grazes_.push_back(graze);
 }
 
 Vector2d TurningStep::onGraze(const Graze& graze, double w, double s) const {
@@ -344,64 +303,6 @@ void TurningStep::appendSeam(const Graze& part, const Graze& next) {
     if (!addCurveOn(to_.faces[graze->face].face, edge, on, {1, 1}, t)) return;
   }
   to_.dividers.push_back({edge, {part.face, next.face}});
-}
-
-void TurningStep::appendMoment(const Graze& before, const Graze& after) {
-  if (before.surface != after.surface || !before.fan || !after.fan) return;
-  const ContactCurves& curves = curves_[before.surface];
-  const CriticalCircle& critical = curves.criticalOf(*before.fan);
-  const double s = critical.time();
-  const bool isPair = before.fan->isBeside(*after.fan) && std::abs(before.s.to - s) < kSameTime &&
-                      std::abs(after.s.from - s) < kSameTime;
-  if (!isPair) return;
-  const Pipe& pipe = curves.pipeOf(*before.fan);
-  const double x = critical.position();
-  const int half = before.fan->quarter.half;
-  if (half == after.fan->quarter.half) {
-    const Range psi = critical.onCircle(half);
-    const double scale = pipe.radius();
-    const auto at = [&](double w) {
-      return pipe.at(x, {std::cos(w / scale), std::sin(w / scale)});
-    };
-    const auto positionOf = [&](const Vector3d& p) {
-      return scale * angleNear(psi.at(0.5), pipe.parametersOf(p, x).y());
-    };
-    appendBorder(before, after, s, {scale * psi.from, scale * psi.to}, at, positionOf);
-    return;
-  }
-  const double scale = pipe.scale(), sign = half == 1 ? 1 : -1;
-  const auto positionOf = [&](const Vector3d& p) { return scale * pipe.parametersOf(p, x).x(); };
-  for (const bool isBeyond : {false, true}) {
-    const Range within = critical.positions(s);
-    const Range on{isBeyond ? x : within.from, isBeyond ? within.to : x};
-    const auto at = [&](double w) {
-      return pipe.at(w / scale, (isBeyond ? sign : -sign) * critical.directionAtMoment(w / scale));
-    };
-    appendBorder(before, after, s, {scale * on.from, scale * on.to}, at, positionOf);
-  }
-}
-
-void TurningStep::appendBorder(const Graze& one, const Graze& other, double s, Range range,
-                               const std::function<Vector3d(double)>& p,
-                               const std::function<double(const Vector3d&)>& positionOf) {
-  for (std::size_t f = 0; f < body_.faces.size(); ++f) {
-    if (body_.faces[f].surface != one.surface) continue;
-    const int face = static_cast<int>(f);
-    std::vector<double> cuts{range.from, range.to};
-    for (const Vector3d& contact : contactsOnBorder(face, s)) {
-      const double w = positionOf(contact);
-      if (w > range.from && w < range.to && isAt(p(w), contact)) cuts.push_back(w);
-    }
-    for (const Range& w : insideOf(face, std::move(cuts), p)) {
-      const TopoDS_Edge edge = fittedEdge([&](double t) { return motion_.at(p(t), s); }, w);
-      const auto addTo = [&](const Graze& graze) {
-        const auto on = [&](double t) { return parametersOn(graze, p(t), s); };
-        return addCurveOn(to_.faces[graze.face].face, edge, on, {1, 1}, w);
-      };
-      if (!edge.IsNull() && addTo(one) && addTo(other))
-        to_.dividers.push_back({edge, {one.face, other.face}});
-    }
-  }
 }
 
 void TurningStep::appendRegressions() {

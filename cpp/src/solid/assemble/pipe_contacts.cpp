@@ -223,6 +223,7 @@ class PipeContacts::Measure {
     const bool isBeside = curve.critical == kNone && curve.isPart;
     const double middle = on_.at(0.5);
     const auto add = [&](Bend bend, double near) {
+      // The farther a bend is beyond the ends, the less quickly the curve changes there.
       bend.width = std::hypot(bend.width, of.beyond(on_, bend));
       const double wide = std::sinh(bend.width / unit_);
       terms_.push_back(
@@ -348,63 +349,65 @@ void PipeContacts::appendWhole(double sign, Range on, Range within) {
   curves_.insert(curves_.end(), halves.begin(), halves.end());
 }
 
-void PipeContacts::appendParts(Range on, Range within) {
-  const double middle = within.at(0.5);
-  struct Window {
-    int critical;
-    double turn;  // whole turns that bring it into the range
-    double at;
-  };
+PipeContacts::End PipeContacts::endAt(const Window& window, bool isEnd, double sign) const {
+  const CriticalCircle& critical = criticals_[window.critical];
+  const double time = critical.time();
+  const Range now = critical.positions(time), later = critical.positions(time + 1);
+  const double x = (isEnd ? now.to : now.from) + window.turn;
+  return {x, later.from - now.from, time,
+          kJointsOfOne * window.critical + (isEnd ? 2 : 0) + (sign > 0 ? 1 : 0)};
+}
+
+std::vector<PipeContacts::Window> PipeContacts::windowsIn(Range on, double s) const {
   std::vector<Window> windows;
-  for (const int k : windowsAt(middle)) {
-    const double at = criticals_[k].positions(middle).at(0.5);
+  for (const int k : windowsAt(s)) {
+    const double at = criticals_[k].positions(s).at(0.5);
     const double turn = pipe_.isCylinder() ? 0 : angleNear(on.at(0.5), at) - at;
     windows.push_back({k, turn, at + turn});
   }
   std::sort(windows.begin(), windows.end(),
             [](const Window& a, const Window& b) { return a.at < b.at; });
+  return windows;
+}
+
+void PipeContacts::appendInside(const Window& window, double sign, Range within) {
+  const double time = criticals_[window.critical].time();
+  Curve inside{sign, within, endAt(window, false, sign), endAt(window, true, sign), window.critical,
+               true};
+  if (time > within.from && time < within.to) {
+    inside.s.to = time;
+    curves_.push_back(inside);
+    inside.s = {time, within.to};
+  }
+  curves_.push_back(inside);
+}
+
+void PipeContacts::appendParts(Range on, Range within) {
+  constexpr double kShortest = 0.1;  // units
+  const std::vector<Window> windows = windowsIn(on, within.at(0.5));
   for (const double sign : {1.0, -1.0}) {
-    const auto endAt = [&](const Window& window, bool isEnd, double turn) {
-      const CriticalCircle& critical = criticals_[window.critical];
-      const Range from = critical.positions(critical.time()),
-                  later = critical.positions(critical.time() + 1);
-      const double x = (isEnd ? from.to : from.from) + window.turn + turn;
-      return End{x, later.from - from.from, critical.time(),
-                 kJointsOfOne * window.critical + (isEnd ? 2 : 0) + (sign > 0 ? 1 : 0)};
-    };
     const auto appendBeside = [&](const End& from, const End& to) {
       const Curve part{sign, within, from, to, kNone, true};
       const double shortest = std::min(part.on(within.from).length(), part.on(within.to).length());
       if (shortest > 0) appendRegular(part, within);
     };
-    // An end of the faces, at which no window may reach beyond the other end of the part.
-    const auto outer = [&](double x, const End& window, bool isEnd) {
-      constexpr double kShortest = 0.1;  // of the unit
-      const double a = window.at(within.from), b = window.at(within.to);
-      if (isEnd) return End{std::max(x, std::max(a, b) + kShortest * unit_)};
-      return End{std::min(x, std::min(a, b) - kShortest * unit_)};
-    };
-    const std::size_t last = windows.size() - 1;
-    for (std::size_t i = 0; i <= last; ++i) {
-      const Window& window = windows[i];
-      const End from = endAt(window, false, 0), to = endAt(window, true, 0);
-      if (i == 0 && !isAllAround(on) &&
-          std::max(from.at(within.from), from.at(within.to)) > on.from)
-        appendBeside(outer(on.from, from, false), from);
-      const double time = criticals_[window.critical].time();
-      Curve inside{sign, within, from, to, window.critical, true};
-      if (time > within.from && time < within.to) {
-        inside.s.to = time;
-        curves_.push_back(inside);
-        inside.s = {time, within.to};
-      }
-      curves_.push_back(inside);
-      if (i < last) {
-        appendBeside(to, endAt(windows[i + 1], false, 0));
+    for (std::size_t i = 0; i < windows.size(); ++i) {
+      const End start = endAt(windows[i], false, sign), end = endAt(windows[i], true, sign);
+      const Range starts =
+                      Range{start.at(within.from), start.at(within.from)}.with(start.at(within.to)),
+                  ends = Range{end.at(within.from), end.at(within.from)}.with(end.at(within.to));
+      // The first and the last part end where the faces do, or at a distance from the window.
+      if (i == 0 && !isAllAround(on) && starts.to > on.from)
+        appendBeside({std::min(on.from, starts.from - kShortest * unit_)}, start);
+      appendInside(windows[i], sign, within);
+      if (i + 1 < windows.size()) {
+        appendBeside(end, endAt(windows[i + 1], false, sign));
       } else if (isAllAround(on)) {
-        appendBeside(to, endAt(windows[0], false, 2 * M_PI));
-      } else if (std::min(to.at(within.from), to.at(within.to)) < on.to) {
-        appendBeside(to, outer(on.to, to, true));
+        Window first = windows.front();
+        first.turn += 2 * M_PI;
+        appendBeside(end, endAt(first, false, sign));
+      } else if (ends.from < on.to) {
+        appendBeside(end, {std::max(on.to, ends.to + kShortest * unit_)});
       }
     }
   }

@@ -86,6 +86,11 @@ class PipeContacts {
   struct Bend {
     double at, width;
   };
+  struct Window {
+    int critical;
+    double turn;  // whole turns that bring it to the faces
+    double at;
+  };
   class Measure;
 
   const End& endOf(int curve, bool isEnd) const {
@@ -104,6 +109,12 @@ class PipeContacts {
   std::vector<Bend> bendsBeside(const Curve& curve, double s) const;
   // Appends curves in these times without windows.
   void appendWhole(double sign, Range on, Range within);
+  // Returns the windows at a time, in order.
+  std::vector<Window> windowsIn(Range on, double s) const;
+  // Returns where the curve with this sign enters or leaves a window.
+  End endAt(const Window& window, bool isEnd, double sign) const;
+  // Appends the part of a curve inside a window, before and after the critical moment.
+  void appendInside(const Window& window, double sign, Range within);
   // Appends the parts of curves inside and beside the windows in these times.
   void appendParts(Range on, Range within);
   // Appends a curve in all times in which it is regular.

@@ -116,6 +116,15 @@ class TurningStep {
   // Appends what a contact curve sweeps in the window of a critical circle, and the whole fan if it
   // is the first of its curves.
   void appendFan(int surface, int curve, const ContactCurves::Fan& fan);
+  // Returns a sheet within the bound of grazing surfaces. Where a contact curve bends quickly,
+  // splines of a high degree need fewer poles.
+  static std::optional<FittedSheet> fittedGraze(const ExactSurface& exact, Range w, Range t,
+                                                const Knots* given);
+  // Returns whether two points of contact are the same.
+  static bool isAt(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    constexpr double kOnCurve = 1e-6;  // mm
+    return (a - b).norm() < kOnCurve;
+  }
   // Returns the range of positions that the surface of a contact curve covers.
   Range rangeOf(const ContactCurves& curves, int curve, Range w) const;
   // Returns the parameters of the point of contact at a position, on the surface of a graze.
@@ -163,7 +172,7 @@ class TurningStep {
   // of the body.
   void appendBorder(const Graze& one, const Graze& other, double s, Range range,
                     const std::function<Eigen::Vector3d(double)>& p,
-                    const std::function<double(const Eigen::Vector3d&)>& positionOf);
+                    const std::function<double(const Eigen::Vector3d&)>& whereIs);
   // Returns a part of the contact curve of a grazing surface at one time as a curve on it. Null if
   // that fails.
   TopoDS_Edge contactEdge(const Graze& graze, double s, Range w) const;
