@@ -15,7 +15,9 @@
 //          h is 0. Circles of a cone for which |m| < |e a.linear| do not touch the envelope. They
 //          form one gap, as |m|^2 is a quadratic function of h. Where it begins and where it ends,
 //          the two curves meet. So there is one curve on each side of the gap, which turns round
-//          there. Which curves there are changes at some times of the step (Curve::s).
+//          there. Which curves there are changes at some times of the step (Curve::s). The curves
+//          of tori and spheres, and of cylinders of which a whole circle touches the envelope at
+//          some moment, are those of pipe_contacts.h.
 // Source:  Abdel-Malek, Blackmore and Joy 2006.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

@@ -221,10 +221,12 @@ class PipeContacts::Measure {
   Measure(const PipeContacts& of, const Curve& curve, double s)
       : on_(curve.on(s)), unit_(of.unit_) {
     const bool isBeside = curve.critical == kNone && curve.isPart;
+    const bool isHalf = isBeside && !curve.from.isMoving() && !curve.to.isMoving();
     const double middle = on_.at(0.5);
     const auto add = [&](Bend bend, double near) {
-      // The farther a bend is beyond the ends, the less quickly the curve changes there.
-      bend.width = std::hypot(bend.width, of.beyond(on_, bend));
+      // The farther a bend is beyond the ends, the less quickly the curve changes there. (Beyond
+      // the end of a half, the other half goes on.)
+      if (!isHalf) bend.width = std::hypot(bend.width, of.beyond(on_, bend));
       const double wide = std::sinh(bend.width / unit_);
       terms_.push_back(
           {bend, 2 * unit_ * near * near * near / (1 + wide * wide * wide * wide * wide * wide)});
