@@ -45,7 +45,7 @@ ContactCurves::ContactCurves(const BodyGeometry& body, int index, const StepPath
   extent_ = {extent_.from / cosine, extent_.to / cosine};
   if (surface_.isCylinder() && size_ > kNoSpeed) {
     PipeContacts contacts(body, index, path, {0, 1});
-    if (!contacts.criticals().empty()) {
+    if (contacts.count() > 0) {
       appendPipe(std::move(contacts));
       findChanges();
       return;
@@ -286,10 +286,15 @@ double ContactCurves::offsetFromEnd(int curve, bool isEnd, const Vector3d& p, do
   return pipe.offsetFromEnd(own, isEnd, p, s);
 }
 
-std::pair<const PipeContacts&, int> ContactCurves::pipeOf(int curve) const {
+std::size_t ContactCurves::pipeIndexOf(int curve) const {
   std::size_t k = pipes_.size() - 1;
   while (pipes_[k].first > curve) --k;
-  return {pipes_[k].contacts, curve - pipes_[k].first};
+  return k;
+}
+
+std::pair<const PipeContacts&, int> ContactCurves::pipeOf(int curve) const {
+  const PipeCurves& pipe = pipes_[pipeIndexOf(curve)];
+  return {pipe.contacts, curve - pipe.first};
 }
 
 std::optional<ContactCurves::Fan> ContactCurves::fanOf(int curve) const {
@@ -297,9 +302,7 @@ std::optional<ContactCurves::Fan> ContactCurves::fanOf(int curve) const {
   const auto [pipe, own] = pipeOf(curve);
   const int critical = pipe.criticalOf(own);
   if (critical == PipeContacts::kNone) return std::nullopt;
-  std::size_t k = 0;
-  while (&pipes_[k].contacts != &pipe) ++k;
-  return Fan{static_cast<int>(k), critical, pipe.quarterOf(own)};
+  return Fan{static_cast<int>(pipeIndexOf(curve)), critical, pipe.quarterOf(own)};
 }
 
 const CriticalCircle& ContactCurves::criticalOf(const Fan& fan) const {

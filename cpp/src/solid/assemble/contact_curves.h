@@ -67,7 +67,8 @@ class ContactCurves {
   bool doesContinue(int curve, int next) const;
   /// Returns whether the curve begins, or ends, at the window of a critical circle.
   bool isAtWindow(int curve, bool isEnd) const;
-  /// Returns a function of a point and a time that is zero where a part begins, or ends.
+  /// Of a part: returns how far a point is beyond the start (or the end) of the curve, along the
+  /// centre line of the pipe. Angles are within pi of the end.
   double offsetFromEnd(int curve, bool isEnd, const Eigen::Vector3d& p, double s) const;
   /// Returns whether a position belongs to the curve: not to another part.
   bool doesOwn(int curve, double w) const {
@@ -164,6 +165,7 @@ class ContactCurves {
     PipeContacts contacts;
   };
   void appendPipe(PipeContacts contacts);
+  std::size_t pipeIndexOf(int curve) const;
   // Returns the pipe of a curve, and the index of the curve there.
   std::pair<const PipeContacts&, int> pipeOf(int curve) const;
   // mm: converts the parameters of a fan.

@@ -59,8 +59,10 @@ std::vector<Zero> zerosOn(const Pipe& pipe, const StepPath& path, Range within) 
 
 CriticalCircle::CriticalCircle(const Pipe& pipe, const StepPath& path, double x, double s)
     : pipe_(pipe), path_(&path), x_(x), time_(s) {
-  constexpr double kLongest = 0.25;
-  constexpr double kLinear = 0.25;  // how much of the speeds may be nonlinear
+  constexpr double kLongest = 0.25;  // of the step
+  // How much of the speeds may be nonlinear: then psi turns nearly evenly around the window, and
+  // the secant method of at() starts with a gain of about four.
+  constexpr double kLinear = 0.25;
   constexpr double kShorter = 0.8;
   constexpr double kShortest = 1e-4;
   // mm: smaller windows help nothing. A cylinder that turns in a plane with its axis has a circle
@@ -158,6 +160,7 @@ double CriticalCircle::offsetOf(double x, double s) const {
 }
 
 Range CriticalCircle::directions(int half) const {
+  // Twice the angle by which the contact curves at the critical moment may turn in a window.
   constexpr double kWider = 0.5;
   return {onCircle(half).from - kWider, onCircle(half).to + kWider};
 }
@@ -182,7 +185,8 @@ Vector2d CriticalCircle::lineOf(int half, double psi) const {
 
 CriticalCircle::Place CriticalCircle::at(int half, double psi, double tau) const {
   constexpr int kRounds = 60;
-  constexpr double kSame = 1e-15;
+  constexpr double kSame = 1e-15, kNearlySame = 1e-12;
+  constexpr double kFar = 4;  // a step across the whole window
   const Vector2d n(std::cos(psi), std::sin(psi));
   const Vector2d line = lineOf(half, psi), across(-line.y(), line.x());
   const auto speed = [&](double off) { return n.dot(speedsAt(tau * line + off * across)); };
@@ -190,10 +194,10 @@ CriticalCircle::Place CriticalCircle::at(int half, double psi, double tau) const
   double off = 0, value = speed(0), last = HUGE_VAL;
   for (int round = 0; round < kRounds; ++round) {
     const double step = -value / slope;
-    if (!std::isfinite(step) || std::abs(step) > 4) return {NAN, NAN};
+    if (!std::isfinite(step) || std::abs(step) > kFar) return {NAN, NAN};
     off += step;
     // Rounding prevents smaller steps.
-    if (std::abs(step) < kSame || (std::abs(step) < 1e-12 && std::abs(step) >= last / 2))
+    if (std::abs(step) < kSame || (std::abs(step) < kNearlySame && std::abs(step) >= last / 2))
       return placeOf(tau * line + off * across);
     last = std::abs(step);
     const double next = speed(off);

@@ -73,6 +73,7 @@ PipeContacts::PipeContacts(const BodyGeometry& body, int index, const StepPath& 
     const Range wide{both.from - kAround * unit_, both.to + kAround * unit_};
     criticals_ = CriticalCircle::find(pipe_, path_, wide, within_, isAllAround(both));
   }
+  if (pipe_.isCylinder() && criticals_.empty()) return;
   std::vector<double> ends{within.from, within.to};
   for (const CriticalCircle& critical : criticals_) {
     for (const double s : {critical.times().from, critical.times().to}) {
@@ -395,9 +396,7 @@ void PipeContacts::appendParts(Range on, Range within) {
     };
     for (std::size_t i = 0; i < windows.size(); ++i) {
       const End start = endAt(windows[i], false, sign), end = endAt(windows[i], true, sign);
-      const Range starts =
-                      Range{start.at(within.from), start.at(within.from)}.with(start.at(within.to)),
-                  ends = Range{end.at(within.from), end.at(within.from)}.with(end.at(within.to));
+      const Range starts = start.during(within), ends = end.during(within);
       // The first and the last part end where the faces do, or at a distance from the window.
       if (i == 0 && !isAllAround(on) && starts.to > on.from)
         appendBeside({std::min(on.from, starts.from - kShortest * unit_)}, start);

@@ -2,11 +2,11 @@
 // circle of such a pipe (pipe.h) has two of them. So there are two curves.
 // Units:   mm, rad; s is the fraction of the motion step. Positions x: see pipe.h.
 // Cost:    O(1) for a point.
-// Method:  With the speeds p and q of pipe.h, the normal at a point of contact has the direction
-//          (q, -p) or the opposite one. Both speeds are functions of x: linear ones on a cylinder,
-//          trigonometric ones on a torus. At a complex zero of p + i q, the curve bends: it runs
-//          around the circle within a range of positions that is as wide as the zero is far from
-//          the real positions. There, asinh((x - zero) / width) is a better measure than x. So
+// Method:  Let p and q be the two speeds of pipe.h. The normal at a point of contact has the
+//          direction (q, -p) or the opposite one. Both speeds are functions of x: linear ones on a
+//          cylinder, trigonometric ones on a torus. At a complex zero of p + i q, the curve bends:
+//          it runs around the circle within a range of positions that is as wide as the zero is far
+//          from the real positions. There, asinh((x - zero) / width) is a better measure than x. So
 //          positions on the curve are sums of x and of such terms. At some moments a zero is real.
 //          Then a whole circle touches the envelope (critical_circle.h). Shortly before and after,
 //          curves are divided in parts: those inside the window of this circle, and those beside
@@ -30,7 +30,8 @@ namespace swept::step {
 
 class PipeContacts {
  public:
-  /// `index`: of the surface. `within`: one of timesOf().
+  /// `index`: of the surface. `within`: one of timesOf(). A cylinder without critical circles has
+  /// no curves here, but in contact_curves.h.
   PipeContacts(const BodyGeometry& body, int index, const StepPath& path, Range within);
 
   /// Returns the ranges of times that need different axes, in order: only spheres have several.
@@ -38,11 +39,11 @@ class PipeContacts {
 
   std::size_t count() const { return curves_.size(); }
   const Range& times(int curve) const { return curves_[curve].s; }
-  /// Returns the positions (mm) between which the curve can be on a face.
+  /// Returns the positions (mm) between which the curve can be on a face. They are the same all
+  /// the time.
   Range extent(int curve) const;
   /// Returns whether the curve is a part of a longer one: one half of a curve that can be on faces
-  /// all around an axis, or a part inside or beside a window. Parts have the same extent all the
-  /// time.
+  /// all around an axis, or a part inside or beside a window.
   bool isPart(int curve) const { return curves_[curve].isPart; }
   /// Returns whether the curve ends where another one begins.
   bool doesContinue(int curve, int next) const;
@@ -71,6 +72,8 @@ class PipeContacts {
     int joint = kNone;
     bool isMoving() const { return joint != kNone && joint < kFirstHalf; }
     double at(double s) const { return x + drift * (s - start); }
+    // Returns the positions in a range of times.
+    Range during(Range s) const { return Range{at(s.from), at(s.from)}.with(at(s.to)); }
   };
   static constexpr int kFirstHalf = 1 << 20;  // joints of halves
 
