@@ -26,9 +26,9 @@ namespace swept::step {
 namespace {
 
 /// How far contact curves extend beyond the face, as a fraction of the range of its parameters.
-constexpr double kBeyond = 0.03;
+constexpr double kRangeMargin = 0.03;
 /// Shorter contact curves (mm) are left out.
-constexpr double kShortest = 1e-4;
+constexpr double kShortestEdge = 1e-4;
 
 struct Parameters {
   double from = 0, to = 0;
@@ -63,7 +63,7 @@ class ContactTracer {
   std::vector<double> breaksOf(Parameters range, bool alongU) const {
     const double period = alongU ? (surface_.IsUPeriodic() ? surface_.UPeriod() : 0)
                                  : (surface_.IsVPeriodic() ? surface_.VPeriod() : 0);
-    const double length = range.to - range.from, margin = kBeyond * length;
+    const double length = range.to - range.from, margin = kRangeMargin * length;
     if (period == 0 || length + 2 * margin < period) {
       range = {range.from - margin, range.to + margin};
       if (period == 0) {
@@ -206,7 +206,7 @@ class ContactTracer {
     double length = 0;
     for (std::size_t i = 1; i < given.size(); ++i)
       length += at(given[i]).Distance(at(given[i - 1]));
-    if (length < kShortest) return;
+    if (length < kShortestEdge) return;
     // Points that nearly coincide would spoil the parameters of the spline.
     Points points;
     for (const gp_Pnt2d& p : given) {
@@ -264,7 +264,7 @@ class ContactTracer {
 
   bool addLine(const Points& points, bool closed) {
     const gp_Pnt a = at(points.front()), b = at(points.back());
-    if (closed || a.Distance(b) < kShortest) return false;
+    if (closed || a.Distance(b) < kShortestEdge) return false;
     const gp_Lin line(a, gp_Dir(gp_Vec(a, b)));
     for (const gp_Pnt2d& p : points) {
       if (line.Distance(at(p)) > kCurveBound) return false;

@@ -13,13 +13,14 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kStep = 1e-4;  // of s, for derivatives
+constexpr double kDerivativeStep = 1e-4;  // of s, for derivatives
 
 Vector2d byTimeAt(const Pipe& pipe, const StepPath& path, double x, double s) {
-  return (8 * (pipe.speeds(x, Moment(path, s + kStep)) - pipe.speeds(x, Moment(path, s - kStep))) -
-          (pipe.speeds(x, Moment(path, s + 2 * kStep)) -
-           pipe.speeds(x, Moment(path, s - 2 * kStep)))) /
-         (12 * kStep);
+  return (8 * (pipe.speeds(x, Moment(path, s + kDerivativeStep)) -
+               pipe.speeds(x, Moment(path, s - kDerivativeStep))) -
+          (pipe.speeds(x, Moment(path, s + 2 * kDerivativeStep)) -
+           pipe.speeds(x, Moment(path, s - 2 * kDerivativeStep)))) /
+         (12 * kDerivativeStep);
 }
 
 double crossOf(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
