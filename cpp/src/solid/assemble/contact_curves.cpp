@@ -55,10 +55,9 @@ ContactCurves::ContactCurves(const BodyGeometry& body, int index, const StepPath
 }
 
 void ContactCurves::appendPipe(PipeContacts contacts) {
-  pipes_.push_back({count(), std::move(contacts)});
-  const PipeContacts& pipe = pipes_.back().contacts;
-  for (std::size_t i = 0; i < pipe.count(); ++i)
-    curves_.push_back({Course::Whole, 1, pipe.times(static_cast<int>(i))});
+  for (int i = 0; i < static_cast<int>(contacts.count()); ++i)
+    curves_.push_back({Course::Whole, 1, contacts.times(i), false, pipes_.size(), i});
+  pipes_.push_back(std::move(contacts));
 }
 
 ContactCurves::Circles ContactCurves::circlesAt(double s) const {
@@ -286,27 +285,16 @@ double ContactCurves::offsetFromEnd(int curve, bool isEnd, const Vector3d& p, do
   return pipe.offsetFromEnd(own, isEnd, p, s);
 }
 
-std::size_t ContactCurves::pipeIndexOf(int curve) const {
-  std::size_t k = pipes_.size() - 1;
-  while (pipes_[k].first > curve) --k;
-  return k;
-}
-
-std::pair<const PipeContacts&, int> ContactCurves::pipeOf(int curve) const {
-  const PipeCurves& pipe = pipes_[pipeIndexOf(curve)];
-  return {pipe.contacts, curve - pipe.first};
-}
-
 std::optional<ContactCurves::Fan> ContactCurves::fanOf(int curve) const {
   if (pipes_.empty()) return std::nullopt;
   const auto [pipe, own] = pipeOf(curve);
   const int critical = pipe.criticalOf(own);
   if (critical == PipeContacts::kNone) return std::nullopt;
-  return Fan{static_cast<int>(pipeIndexOf(curve)), critical, pipe.quarterOf(own)};
+  return Fan{static_cast<int>(curves_[curve].pipe), critical, pipe.quarterOf(own)};
 }
 
 const CriticalCircle& ContactCurves::criticalOf(const Fan& fan) const {
-  return pipes_[fan.pipe].contacts.criticals()[fan.critical];
+  return pipes_[fan.pipe].criticals()[fan.critical];
 }
 
 Vector2d ContactCurves::scaleOf(const Fan& fan) const {

@@ -89,7 +89,7 @@ class ContactCurves {
   /// Returns the fan that contains what a curve sweeps, if there is one.
   std::optional<Fan> fanOf(int curve) const;
   const CriticalCircle& criticalOf(const Fan& fan) const;
-  const Pipe& pipeOf(const Fan& fan) const { return pipes_[fan.pipe].contacts.pipe(); }
+  const Pipe& pipeOf(const Fan& fan) const { return pipes_[fan.pipe].pipe(); }
   struct Touch {
     Eigen::Vector3d p;  // in coordinates of the body; not finite where there is none
     double s;
@@ -115,6 +115,8 @@ class ContactCurves {
     Range s;
     // Whether positions are spread where the curve bends.
     bool isSpread = false;
+    std::size_t pipe = 0;  // index of the pipe, if there are pipes
+    int own = 0;           // index of the curve there
   };
   // Of a cylinder or a cone at one time.
   struct Circles {
@@ -159,19 +161,15 @@ class ContactCurves {
   Eigen::Vector3d origin_;  // of the positions
   Eigen::Vector3d along_, across_;
   double size_ = 0;  // of axis x angular
-  // A pipe within a range of times; `first`: the index of its first curve.
-  struct PipeCurves {
-    int first;
-    PipeContacts contacts;
-  };
   void appendPipe(PipeContacts contacts);
-  std::size_t pipeIndexOf(int curve) const;
   // Returns the pipe of a curve, and the index of the curve there.
-  std::pair<const PipeContacts&, int> pipeOf(int curve) const;
+  std::pair<const PipeContacts&, int> pipeOf(int curve) const {
+    return {pipes_[curves_[curve].pipe], curves_[curve].own};
+  }
   // mm: converts the parameters of a fan.
   Eigen::Vector2d scaleOf(const Fan& fan) const;
 
-  std::vector<PipeCurves> pipes_;
+  std::vector<PipeContacts> pipes_;  // within ranges of times
   std::vector<Curve> curves_;
   std::vector<double> changes_{0, 1};
   Range extent_;

@@ -6,7 +6,6 @@
 #include <Precision.hxx>
 #include <algorithm>
 
-#include "base/parallel.h"
 #include "solid/assemble/fitted_edge.h"
 #include "solid/assemble/kernel_geometry.h"
 #include "solid/assemble/turning_step.h"
@@ -303,81 +302,6 @@ void TurningStep::appendSeam(const Graze& part, const Graze& next) {
     if (!addCurveOn(to_.faces[graze->face].face, edge, on, {1, 1}, t)) return;
   }
   to_.dividers.push_back({edge, {part.face, next.face}});
-}
-
-void TurningStep::appendRegressions() {
-  std::vector<Regression> found(grazes_.size());
-  parallelBlocks(grazes_.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) found[i] = regressionOf(grazes_[i]);
-  });
-  for (const Regression& of : found) {
-    to_.folds.insert(to_.folds.end(), of.folds.begin(), of.folds.end());
-    to_.crossings.insert(to_.crossings.end(), of.crossings.begin(), of.crossings.end());
-  }
-}
-
-TurningStep::Regression TurningStep::regressionOf(const Graze& graze) const {
-  const bool isKnown = std::any_of(grazes_.data(), &graze,
-                                   [&](const Graze& other) { return other.face == graze.face; });
-  if (isKnown) return {};
-  Range w = graze.w, s = graze.s;
-  if (graze.fan) {
-    const Eigen::AlignedBox2d extent = curves_[graze.surface].extent(*graze.fan);
-    w = {extent.min().x(), extent.max().x()};
-    s = {extent.min().y(), extent.max().y()};
-  }
-  const auto touchAt = [&](const Vector2d& on) {
-    return touchOf(graze, {on.x(), motion_.timeOf(on.y())});
-  };
-  const auto exact = [&](const Vector2d& on) {
-    const auto touch = touchAt(on);
-    return motion_.at(touch.p, touch.s);
-  };
-  // Returns the signed area of the surface per unit of its parameters.
-  const double stepW = 1e-3 * w.length(), stepS = graze.fan ? 1e-3 * s.length() : 1e-3;
-  const auto slope = [&](const Vector2d& on, const Vector2d& step) -> Vector3d {
-    return (8 * (exact(on + step) - exact(on - step)) -
-            (exact(on + 2 * step) - exact(on - 2 * step))) /
-           12;
-  };
-  const OfTwo area = [&](const Vector2d& on) {
-    const auto touch = touchAt(on);
-    const Vector3d normal =
-        path_.at(touch.s).rotation * body_.surfaces[graze.surface].normalAt(touch.p);
-    return slope(on, {stepW, 0}).cross(slope(on, {0, stepS})).dot(normal) /
-           (stepW * stepS * motion_.length());
-  };
-  Regression regression;
-  for (const ZeroArc& arc : zeroArcs(area, w, s, {1, motion_.length()})) {
-    const TopoDS_Edge edge = fittedEdge([&](double t) { return exact(arc.at(t)); }, arc.range());
-    const auto on = [&](double t) {
-      const Vector2d p = arc.at(t);
-      return Vector2d(p.x(), motion_.timeOf(p.y()));
-    };
-    if (!edge.IsNull() && addCurveOn(to_.faces[graze.face].face, edge, on, {1, 1}, arc.range()))
-      regression.folds.push_back({edge, {graze.face}});
-  }
-  if (!regression.folds.empty()) regression.crossings = crossingsOf(graze, area);
-  return regression;
-}
-
-std::vector<gp_Pnt> TurningStep::crossingsOf(const Graze& graze, const OfTwo& area) const {
-  std::vector<gp_Pnt> crossings;
-  for (const Contact& contact : contacts_) {
-    const Graze* own = grazeOf(contact);
-    if (own == nullptr || own->face != graze.face) continue;
-    const BodyEdge& edge = body_.edges[contact.edge];
-    const auto onSurface = [&](double t) {
-      const Vector2d at = contact.arc.at(t);
-      const Vector2d there = parametersOn(graze, edge.at(at.x()), at.y());
-      return Vector2d(there.x(), there.y() / motion_.length());
-    };
-    for (const double t : zerosOf([&](double x) { return area(onSurface(x)); }, contact.along)) {
-      const Vector2d on = contact.arc.at(t);
-      crossings.push_back(pointOf(motion_.at(edge.at(on.x()), on.y())));
-    }
-  }
-  return crossings;
 }
 
 }  // namespace swept::step

@@ -5,6 +5,7 @@
 #include <BRep_Tool.hxx>
 #include <BndLib_Add2dCurve.hxx>
 #include <Bnd_Box2d.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
 #include <Geom2dAPI_InterCurveCurve.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
@@ -42,6 +43,7 @@ struct FaceCurve {
     const Handle(Geom_Curve) along = BRep_Tool::Curve(edge, from, to);
     return along->Value((from + to) / 2);
   }
+  double length() const { return GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge)); }
 };
 
 Handle(Geom_Curve) curveOf(const TopoDS_Edge& edge) {
@@ -170,7 +172,7 @@ class Finder {
             [&](const FaceCurve& known) { return isNear(middle, known.edge, kOneCurve); });
         if (isKnown) continue;
         const TopoDS_Edge edge = tracer.edgeAlong(std::move(run));
-        if (!edge.IsNull()) sections.push_back({edge, {pair.first, pair.second}});
+        if (!edge.IsNull()) addTo(sections, {edge, {pair.first, pair.second}});
       }
       ends.insert(ends.end(), tracer.ends().begin(), tracer.ends().end());
     }
@@ -187,14 +189,21 @@ class Finder {
     });
     if (isKnown) return;
     const TopoDS_Edge edge = tracerOf(a, b).edgeThrough(p, on);
-    if (edge.IsNull()) return;
-    // Shorter curves along this one are parts of it.
+    if (!edge.IsNull()) addTo(sections, {edge, {a, b}});
+  }
+
+  // Adds a section, unless it is a part of a longer one. Shorter ones along it are parts of it.
+  static void addTo(std::vector<FaceCurve>& sections, const FaceCurve& added) {
+    const bool isPart = std::any_of(sections.begin(), sections.end(), [&](const FaceCurve& known) {
+      return known.length() >= added.length() && isNear(added.middle(), known.edge, kOneCurve);
+    });
+    if (isPart) return;
     sections.erase(std::remove_if(sections.begin(), sections.end(),
                                   [&](const FaceCurve& known) {
-                                    return isNear(known.middle(), edge, kOneCurve);
+                                    return isNear(known.middle(), added.edge, kOneCurve);
                                   }),
                    sections.end());
-    sections.push_back({edge, {a, b}});
+    sections.push_back(added);
   }
 
   // Adds an event where a curve passes through a face. It is less certain, the smaller the sine of
@@ -217,6 +226,16 @@ class Finder {
     }
   }
 
+  // Returns whether a point of a curve belongs to a face of the curve.
+  bool isOwned(const FaceCurve& curve, double t) const {
+    return std::any_of(curve.faces.begin(), curve.faces.end(), [&](int f) {
+      const Handle(Geom2d_Curve) flat = faces_.curveOn(f, curve.edge);
+      if (flat.IsNull()) return true;
+      const gp_Pnt2d on = flat->Value(t);
+      return faces_.doesOwn(f, {on.X(), on.Y()});
+    });
+  }
+
   // Finds where a curve passes through faces on which it does not lie. `isStart`: whether sections
   // begin there.
   void addPiercings(const FaceCurve& curve, bool isStart) {
@@ -235,7 +254,8 @@ class Finder {
         const auto found = throughFace(faces_, face, along, (start + end) / 2, on);
         if (!found || found->first < start - kSlack * piece ||
             found->first > end + kSlack * piece || found->first <= from || found->first >= to ||
-            !faces_.isInFace(face, found->second))
+            !faces_.isInFace(face, found->second) || !faces_.doesOwn(face, found->second) ||
+            !isOwned(curve, found->first))
           continue;
         gp_Pnt p;
         gp_Vec tangent;

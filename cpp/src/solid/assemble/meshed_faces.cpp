@@ -215,8 +215,12 @@ bool MeshedFaces::isPossible(int f, const Vector2d& on) const {
   constexpr std::size_t kManyFaces = 100;
   constexpr double kSure = 1e-3;
   // Where faces overlap, their triangulations intersect at random.
-  if (given_[f].own && given_[f].own(on) < 0) return false;
+  if (!doesOwn(f, on)) return false;
   return faces_.size() < kManyFaces || given_[f].isPossible(on, kSure);
+}
+
+bool MeshedFaces::doesOwn(int f, const Vector2d& on) const {
+  return !given_[f].own || given_[f].own(on) >= 0;
 }
 
 bool MeshedFaces::isInRange(int f, const Vector2d& on) const {

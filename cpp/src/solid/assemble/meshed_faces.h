@@ -72,6 +72,8 @@ class MeshedFaces {
   /// Returns whether a point of a face may be on the envelope and belongs to no other face. If
   /// there are few faces, the first is not tested.
   bool isPossible(int f, const Eigen::Vector2d& on) const;
+  /// Returns whether a point of a face belongs to no other face.
+  bool doesOwn(int f, const Eigen::Vector2d& on) const;
   /// Returns whether the parameters are within the range of those of the face, or a little beyond.
   bool isInRange(int f, const Eigen::Vector2d& on) const;
   /// Returns the curve of an edge in the parameters of a face; null if there is none.

@@ -187,6 +187,17 @@ class TurningStep {
     std::vector<SweptSection> folds;
     std::vector<gp_Pnt> crossings;
   };
+  // Returns the range of the parameters of a grazing surface: positions, and fractions of the step.
+  // All functions below use these.
+  Eigen::AlignedBox2d domainOf(const Graze& graze) const;
+  // Returns a point in world coordinates.
+  Eigen::Vector3d pointOn(const Graze& graze, const Eigen::Vector2d& on) const;
+  // Returns how far a point moves for a small step of the parameters.
+  Eigen::Vector3d slopeOn(const Graze& graze, const Eigen::Vector2d& on,
+                          const Eigen::Vector2d& step) const;
+  // Returns the signed area of the surface per unit of its parameters. It is zero on the edges of
+  // regression.
+  OfTwo areaOf(const Graze& graze) const;
   Regression regressionOf(const Graze& graze) const;
   std::vector<gp_Pnt> crossingsOf(const Graze& graze, const OfTwo& area) const;
   void appendRegressions();
