@@ -7,6 +7,7 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -281,6 +282,14 @@ void writeRing(double radius, double tube, const std::string& path) {
 
 void writeElbow(double radius, double tube, const std::string& path) {
   writeBrep(BRepPrimAPI_MakeTorus(radius, tube, M_PI / 2).Shape(), path);
+}
+
+void writeSteppedRod(double flange, double radius, const std::string& path) {
+  const double height = flange / 3;
+  const TopoDS_Shape plate = BRepPrimAPI_MakeCylinder(flange, height).Shape();
+  const gp_Ax2 above(gp_Pnt(0, 0, height), gp::DZ());
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(above, radius, 2 * radius).Shape();
+  writeBrep(BRepAlgoAPI_Fuse(plate, rod).Shape(), path);
 }
 
 JudgedSolid judgeSolid(const TopoDS_Shape& shape, std::size_t detailCount, bool withBlock) {

@@ -59,6 +59,8 @@ void writeHalfBall(double radius, const std::string& path);
 void writeBlockWithRoundTop(double length, double width, double height, double radius,
                             const std::string& path);
 void writeRing(double radius, double tube, const std::string& path);
+/// A rod, as long as it is thick, on a round flange whose height is a third of its radius.
+void writeSteppedRod(double flange, double radius, const std::string& path);
 /// A quarter of a ring.
 void writeElbow(double radius, double tube, const std::string& path);
 

@@ -58,6 +58,12 @@ class BodySolid : public testing::Test {
     compute();
   }
 
+  // Three keys, turned by 25 and 41 degrees.
+  void turnSomewhat() {
+    moveThrough({{0, 0, 0}, {20, 3, 6}, {30, 20, 4}},
+                {none_, turned(0.436, {3, 5, 8}), turned(0.716, {-2, 7, 4})});
+  }
+
   // Three keys, turned by 60 and 100 degrees.
   void turnFar() {
     moveThrough({{0, 0, 0}, {4, 9, 31}, {-10, 25, 40}},
@@ -268,8 +274,7 @@ TEST_F(BodySolid, ABlockWithRoundEdgesAlongThreeKeys) {
   const std::string file = folder_.file("block.brep");
   writeBlockWithRoundTop(20, 14, 8, 2, file);
   readBodyFrom(file);
-  moveThrough({{0, 0, 0}, {20, 3, 6}, {30, 20, 4}},
-              {none_, turned(0.436, {3, 5, 8}), turned(0.716, {-2, 7, 4})});
+  turnSomewhat();
   expectFacesWithoutFacets(60);
 }
 
@@ -289,6 +294,15 @@ TEST_F(BodySolid, AnElbowThatTurnsFarAlongThreeKeys) {
   readBodyFrom(file);
   turnFar();
   expectFacesWithoutFacets(45);
+}
+
+// At the second key, faces of both steps that pass through the rim are 0.005 mm apart there.
+TEST_F(BodySolid, ASteppedRodAlongThreeKeys) {
+  const std::string file = folder_.file("rod.brep");
+  writeSteppedRod(12, 5, file);
+  readBodyFrom(file);
+  turnSomewhat();
+  expectFacesWithoutFacets(60);
 }
 
 // The direction in which it moves turns by 136 degrees, seen from the body.

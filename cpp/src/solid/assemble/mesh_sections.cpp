@@ -404,11 +404,17 @@ class Finder {
     }
     // Samples cannot tell whether two faces that are nearly tangent form an edge.
     constexpr double kTooFlat = 0.02;
-    if (normals[0].cross(normals[1]).norm() < kTooFlat &&
-        !haveDivider(curve.faces[0], curve.faces[1]))
-      return !contains(p + d * normals[0]) || !contains(p - d * normals[0]);
-    return doBothEnd(p, d, normals[0].cross(tangent).normalized(),
-                     normals[1].cross(tangent).normalized());
+    const bool isFlat = normals[0].cross(normals[1]).norm() < kTooFlat &&
+                        !haveDivider(curve.faces[0], curve.faces[1]);
+    const auto isVisibleAt = [&](double distance) {
+      if (isFlat)
+        return !contains(p + distance * normals[0]) || !contains(p - distance * normals[0]);
+      return doBothEnd(p, distance, normals[0].cross(tangent).normalized(),
+                       normals[1].cross(tangent).normalized());
+    };
+    // Other faces may be nearer than the samples.
+    constexpr double kNearer = 0.1;
+    return isVisibleAt(d) || (kNearer * d > sides_.accuracy() && isVisibleAt(kNearer * d));
   }
 
   // Returns whether both faces bound the swept volume beside the point. Of a face that does not,
