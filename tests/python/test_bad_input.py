@@ -560,6 +560,7 @@ def test_bad_input_37_solid_that_reads_back_wrong(program, tmp_path, box):
             )  # fmt: skip
         if done.returncode != 0:
             break
+        assert not target.read_bytes().startswith(b"garbage"), "a damaged file was accepted"
     assert done.returncode == 1 and "ExportFailed/Reread" in done.stderr, done.stderr
     assert target.read_text() == "old"
     assert set(tmp_path.iterdir()) == {target, body, path, report}

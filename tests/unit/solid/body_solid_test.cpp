@@ -296,7 +296,7 @@ TEST_F(BodySolid, AnElbowThatTurnsFarAlongThreeKeys) {
   expectFacesWithoutFacets(45);
 }
 
-// At the second key, faces of both steps that pass through the rim are 0.005 mm apart there.
+// At the second key, faces of the first step and of the second are only 0.005 mm apart at the rim.
 TEST_F(BodySolid, ASteppedRodAlongThreeKeys) {
   const std::string file = folder_.file("rod.brep");
   writeSteppedRod(12, 5, file);

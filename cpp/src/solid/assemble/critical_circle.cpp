@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solid/assemble/zero_curves.h"
+#include "solid/sweep/central_difference.h"
 
 namespace swept::step {
 
@@ -13,14 +14,10 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kDerivativeStep = 1e-4;  // of s, for derivatives
-
 Vector2d byTimeAt(const Pipe& pipe, const StepPath& path, double x, double s) {
-  return (8 * (pipe.speeds(x, Moment(path, s + kDerivativeStep)) -
-               pipe.speeds(x, Moment(path, s - kDerivativeStep))) -
-          (pipe.speeds(x, Moment(path, s + 2 * kDerivativeStep)) -
-           pipe.speeds(x, Moment(path, s - 2 * kDerivativeStep)))) /
-         (12 * kDerivativeStep);
+  constexpr double kTimeStep = 1e-4;  // of s
+  return centralDifference([&](double off) { return pipe.speeds(x, Moment(path, s + off)); },
+                           kTimeStep);
 }
 
 double crossOf(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }

@@ -24,10 +24,7 @@ void TurningStep::appendFan(int surface, int curve, const ContactCurves::Fan& fa
     const Eigen::AlignedBox2d extent = curves.extent(fan);
     const Range u{extent.min().x(), extent.max().x()},
         v = motion_.timeOf(Range{extent.min().y(), extent.max().y()});
-    const auto exact = [&](double x, double y) -> Vector3d {
-      const auto touch = touchOf(graze, {x, y});
-      return motion_.at(touch.p, touch.s);
-    };
+    const auto exact = [&](double x, double y) { return pointOn(graze, {x, y}); };
     const auto fitted = fittedGraze(exact, u, v, nullptr);
     if (!fitted) return;
     graze.face = static_cast<int>(to_.faces.size());

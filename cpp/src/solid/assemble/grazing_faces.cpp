@@ -114,6 +114,11 @@ ContactCurves::Touch TurningStep::touchOf(const Graze& graze, const Vector2d& on
   return {curves.at(graze.curve, on.x(), s), s};
 }
 
+Vector3d TurningStep::pointOn(const Graze& graze, const Vector2d& on) const {
+  const auto touch = touchOf(graze, on);
+  return motion_.at(touch.p, touch.s);
+}
+
 bool TurningStep::isFixed(const ExactSurface& exact, Range w, Range t) const {
   constexpr int kPoints = 4;
   std::vector<Vector3d> points;

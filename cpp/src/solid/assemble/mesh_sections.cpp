@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "solid/assemble/interpolate_curve.h"
@@ -194,8 +195,10 @@ class Finder {
 
   // Adds a section, unless it is a part of a longer one. Shorter ones along it are parts of it.
   static void addTo(std::vector<FaceCurve>& sections, const FaceCurve& added) {
+    const double length = added.length();
+    const gp_Pnt middle = added.middle();
     const bool isPart = std::any_of(sections.begin(), sections.end(), [&](const FaceCurve& known) {
-      return known.length() >= added.length() && isNear(added.middle(), known.edge, kOneCurve);
+      return isNear(middle, known.edge, kOneCurve) && known.length() >= length;
     });
     if (isPart) return;
     sections.erase(std::remove_if(sections.begin(), sections.end(),
@@ -226,13 +229,19 @@ class Finder {
     }
   }
 
+  // Returns the parameters of a point of a curve on one of its faces; nothing if they are unknown.
+  std::optional<Vector2d> parametersOn(int f, const FaceCurve& curve, double t) const {
+    const Handle(Geom2d_Curve) flat = faces_.curveOn(f, curve.edge);
+    if (flat.IsNull()) return std::nullopt;
+    const gp_Pnt2d on = flat->Value(t);
+    return Vector2d(on.X(), on.Y());
+  }
+
   // Returns whether a point of a curve belongs to a face of the curve.
   bool isOwned(const FaceCurve& curve, double t) const {
     return std::any_of(curve.faces.begin(), curve.faces.end(), [&](int f) {
-      const Handle(Geom2d_Curve) flat = faces_.curveOn(f, curve.edge);
-      if (flat.IsNull()) return true;
-      const gp_Pnt2d on = flat->Value(t);
-      return faces_.doesOwn(f, {on.X(), on.Y()});
+      const auto on = parametersOn(f, curve, t);
+      return !on || faces_.doesOwn(f, *on);
     });
   }
 
@@ -267,10 +276,8 @@ class Finder {
         addEvent(at, sine);
         if (!isStart || curve.isFold) continue;
         for (const int f : curve.faces) {
-          const Handle(Geom2d_Curve) flat = faces_.curveOn(f, curve.edge);
-          if (flat.IsNull()) continue;
-          const gp_Pnt2d q = flat->Value(found->first);
-          startAt(f, face, at, {Vector2d(q.X(), q.Y()), found->second});
+          if (const auto own = parametersOn(f, curve, found->first))
+            startAt(f, face, at, {*own, found->second});
         }
       }
     }
@@ -385,10 +392,9 @@ class Finder {
     const Vector3d p = vectorOf(at.XYZ()), tangent = vectorOf(forward.XYZ()).normalized();
     std::vector<Vector3d> normals;
     for (const int f : curve.faces) {
-      const Handle(Geom2d_Curve) flat = faces_.curveOn(f, curve.edge);
-      if (flat.IsNull()) return true;
-      const gp_Pnt2d on = flat->Value(t);
-      normals.push_back(faces_.jet(f, {on.X(), on.Y()}).normal());
+      const auto on = parametersOn(f, curve, t);
+      if (!on) return true;
+      normals.push_back(faces_.jet(f, *on).normal());
     }
     if (curve.isDivider) {
       const Vector3d normal = normals.front(), side = normal.cross(tangent).normalized();

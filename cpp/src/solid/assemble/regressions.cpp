@@ -7,6 +7,7 @@
 #include "solid/assemble/fitted_edge.h"
 #include "solid/assemble/kernel_geometry.h"
 #include "solid/assemble/turning_step.h"
+#include "solid/sweep/central_difference.h"
 
 namespace swept::step {
 
@@ -18,26 +19,19 @@ Eigen::AlignedBox2d TurningStep::domainOf(const Graze& graze) const {
   return {Vector2d(graze.w.from, graze.s.from), Vector2d(graze.w.to, graze.s.to)};
 }
 
-Vector3d TurningStep::pointOn(const Graze& graze, const Vector2d& on) const {
-  const auto touch = touchOf(graze, {on.x(), motion_.timeOf(on.y())});
-  return motion_.at(touch.p, touch.s);
-}
-
-Vector3d TurningStep::slopeOn(const Graze& graze, const Vector2d& on, const Vector2d& step) const {
-  const auto difference = [&](double steps) -> Vector3d {
-    return pointOn(graze, on + steps * step) - pointOn(graze, on - steps * step);
-  };
-  return (8 * difference(1) - difference(2)) / 12;
-}
-
 OfTwo TurningStep::areaOf(const Graze& graze) const {
+  constexpr double kStep = 1e-3;
   const Vector2d sizes = domainOf(graze).sizes();
-  const double stepW = 1e-3 * sizes.x(), stepS = graze.fan ? 1e-3 * sizes.y() : 1e-3;
+  const double stepW = kStep * sizes.x(), stepS = graze.fan ? kStep * sizes.y() : kStep;
   return [this, graze, stepW, stepS](const Vector2d& on) {
-    const auto touch = touchOf(graze, {on.x(), motion_.timeOf(on.y())});
+    const auto slope = [&](const Vector2d& step) {
+      return centralDifference(
+          [&](double steps) { return pointOn(graze, onSheet(on + steps * step)); }, 1);
+    };
+    const auto touch = touchOf(graze, onSheet(on));
     const Vector3d normal =
         path_.at(touch.s).rotation * body_.surfaces[graze.surface].normalAt(touch.p);
-    return slopeOn(graze, on, {stepW, 0}).cross(slopeOn(graze, on, {0, stepS})).dot(normal) /
+    return slope({stepW, 0}).cross(slope({0, stepS})).dot(normal) /
            (stepW * stepS * motion_.length());
   };
 }
@@ -63,11 +57,8 @@ TurningStep::Regression TurningStep::regressionOf(const Graze& graze) const {
   for (const ZeroArc& arc : zeroArcs(area, {domain.min().x(), domain.max().x()},
                                      {domain.min().y(), domain.max().y()}, {1, motion_.length()})) {
     const TopoDS_Edge edge =
-        fittedEdge([&](double t) { return pointOn(graze, arc.at(t)); }, arc.range());
-    const auto on = [&](double t) {
-      const Vector2d p = arc.at(t);
-      return Vector2d(p.x(), motion_.timeOf(p.y()));
-    };
+        fittedEdge([&](double t) { return pointOn(graze, onSheet(arc.at(t))); }, arc.range());
+    const auto on = [&](double t) { return onSheet(arc.at(t)); };
     if (!edge.IsNull() && addCurveOn(to_.faces[graze.face].face, edge, on, {1, 1}, arc.range()))
       regression.folds.push_back({edge, {graze.face}});
   }

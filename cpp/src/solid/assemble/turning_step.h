@@ -133,6 +133,8 @@ class TurningStep {
   Eigen::Vector2d parametersOn(const Graze& graze, const Eigen::Vector3d& p, double s) const;
   // Returns the point of contact at these parameters.
   ContactCurves::Touch touchOf(const Graze& graze, const Eigen::Vector2d& on) const;
+  // Returns where this point is, in world coordinates.
+  Eigen::Vector3d pointOn(const Graze& graze, const Eigen::Vector2d& on) const;
   // Returns whether a grazing surface lies in a fixed surface. This happens where a face
   // that slides continues smoothly into a cylinder.
   bool isFixed(const ExactSurface& exact, Range w, Range t) const;
@@ -187,16 +189,15 @@ class TurningStep {
     std::vector<SweptSection> folds;
     std::vector<gp_Pnt> crossings;
   };
-  // Returns the range of the parameters of a grazing surface: positions, and fractions of the step.
-  // All functions below use these.
+  // Returns the range of positions and fractions of the step (of a fan: the second parameter) on a
+  // grazing surface.
   Eigen::AlignedBox2d domainOf(const Graze& graze) const;
-  // Returns a point in world coordinates.
-  Eigen::Vector3d pointOn(const Graze& graze, const Eigen::Vector2d& on) const;
-  // Returns how far a point moves for a small step of the parameters.
-  Eigen::Vector3d slopeOn(const Graze& graze, const Eigen::Vector2d& on,
-                          const Eigen::Vector2d& step) const;
-  // Returns the signed area of the surface per unit of its parameters. It is zero on the edges of
-  // regression.
+  // Returns the parameters of the surface at a position and a fraction of the step.
+  Eigen::Vector2d onSheet(const Eigen::Vector2d& on) const {
+    return {on.x(), motion_.timeOf(on.y())};
+  }
+  // Returns the signed area of a grazing surface per unit of its parameters, at a position and a
+  // fraction of the step. It is zero on the edges of regression.
   OfTwo areaOf(const Graze& graze) const;
   Regression regressionOf(const Graze& graze) const;
   std::vector<gp_Pnt> crossingsOf(const Graze& graze, const OfTwo& area) const;

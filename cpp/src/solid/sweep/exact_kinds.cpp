@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solid/sweep/central_difference.h"
+
 namespace swept::step {
 namespace {
 
@@ -142,9 +144,7 @@ std::shared_ptr<const Profile> profileThrough(const std::function<Vector2d(doubl
   const double h = 1e-5 * range.length();
   for (std::size_t i = 0; i <= count; ++i) {
     const double v = range.at(static_cast<double>(i) / static_cast<double>(count));
-    // A difference quotient of fourth order.
-    const Vector2d slope =
-        (8 * (at(v + h) - at(v - h)) - (at(v + 2 * h) - at(v - 2 * h))) / (12 * h);
+    const Vector2d slope = centralDifference([&](double off) { return at(v + off); }, h);
     nodes.push_back({at(v), slope, v});
   }
   // Scales the parameter so that it is about the length along the profile. All nodes get the same
