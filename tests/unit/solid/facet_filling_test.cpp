@@ -110,8 +110,8 @@ TEST_F(FacetFilling, FacesWithoutHolesStayAsTheyAre) {
 
 TEST_F(FacetFilling, ACylinderKeepsItsWallWithoutItsTop) {
   fillCup(8, 8);
-  EXPECT_GT(filled_.planes, 0);
-  EXPECT_NEAR(judged_.volume, 25 * M_PI * 8, 0.05);
+  EXPECT_EQ(filled_.planes, 1);
+  EXPECT_NEAR(judged_.volume, 25 * M_PI * 8, 1e-6);
 }
 
 TEST_F(FacetFilling, FacetsReplaceTheWallOfACylinder) {
@@ -142,6 +142,51 @@ TEST_F(FacetFilling, ACavityThatTheMeshDoesNotHaveIsLeftOut) {
   fill(box, faces, test::makeBox({0, 0, 0}, {12, 8, 5}));
   EXPECT_EQ(judged_.faces, 6);
   EXPECT_NEAR(judged_.volume, 480, 1e-9);
+}
+
+// Returns the faces of a rod whose wall has a slit along the axis.
+std::vector<TopoDS_Face> slitRod(double height, double width) {
+  const double angle = width / kRodRadius;
+  std::vector<TopoDS_Face> faces;
+  TopoDS_Face wall;
+  for (const TopoDS_Face& face :
+       facesOf(BRepPrimAPI_MakeCylinder(kRodRadius, height, 2 * M_PI - angle).Shape())) {
+    if (BRepAdaptor_Surface(face).GetType() == GeomAbs_Cylinder) wall = face;
+  }
+  faces.push_back(wall);
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(wall, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges(i));
+    const BRepAdaptor_Curve curve(edge);
+    if (curve.GetType() != GeomAbs_Circle) continue;
+    const gp_Circ circle = curve.Circle();
+    const TopoDS_Edge rest =
+        BRepBuilderAPI_MakeEdge(circle, TopExp::LastVertex(edge), TopExp::FirstVertex(edge));
+    TopoDS_Face end = BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(edge, rest).Wire());
+    const bool isTop = circle.Location().Z() > height / 2;
+    if ((BRepAdaptor_Surface(end).Plane().Axis().Direction().Z() > 0) !=
+        (isTop == (end.Orientation() == TopAbs_FORWARD)))
+      end.Reverse();
+    faces.push_back(end);
+  }
+  return faces;
+}
+
+TEST_F(FacetFilling, OneFaceFillsANarrowSlit) {
+  fill(BRepPrimAPI_MakeCylinder(kRodRadius, 8).Shape(), slitRod(8, 0.02),
+       test::makeCylinder(kRodRadius, 0, 8, 90));
+  EXPECT_EQ(judged_.faces, 4);
+  EXPECT_EQ(filled_.cones, 1);
+  EXPECT_EQ(filled_.planes, 0);
+  EXPECT_NEAR(judged_.volume, 25 * M_PI * 8, 1e-6);
+}
+
+TEST_F(FacetFilling, FacetsFillAWideSlit) {
+  fill(BRepPrimAPI_MakeCylinder(kRodRadius, 8).Shape(), slitRod(8, 2),
+       test::makeCylinder(kRodRadius, 0, 8, 90));
+  EXPECT_GT(filled_.cones + filled_.planes, 2);
+  EXPECT_NEAR(judged_.volume, 25 * M_PI * 8, 0.02 * 25 * M_PI * 8);
 }
 
 TEST_F(FacetFilling, FacesWithLittleOfTheAreaAreNotWorthIt) {

@@ -24,6 +24,7 @@
 #include "solid/assemble/face_samples.h"
 #include "solid/assemble/fine_triangles.h"
 #include "solid/assemble/hole_facets.h"
+#include "solid/assemble/hole_patches.h"
 #include "solid/assemble/hole_triangles.h"
 #include "solid/assemble/kernel_geometry.h"
 #include "solid/assemble/open_edges.h"
@@ -41,6 +42,8 @@ using Eigen::Vector3d;
 constexpr double kThinFirst = 0.05;
 /// If the faces have less of the area than this, the solid is not worth the time.
 constexpr double kMinFraction = 0.4;
+/// Width of a hole that few faces may fill, whatever its length, as a fraction of the tolerance.
+constexpr double kMaxPatchWidth = 0.5;
 
 // Returns copies that share no edges with the faces.
 std::vector<TopoDS_Face> copyOf(const std::vector<TopoDS_Face>& faces) {
@@ -105,8 +108,7 @@ class FacetFiller::State {
     // Pieces of one face are not joined: the kernel (7.6) does not end if it joins some of those
     // with open edges.
     faces_ = copyOf(given);
-    for (const TopoDS_Face& face : faces_) measured_.push_back(face.TShape().get());
-    triangles_ = trianglesWithin(compoundOf(faces_), deflection());
+    measure(0);
   }
 
   FilledSolid fill(const std::vector<Vector3d>& wrong) {
@@ -120,6 +122,7 @@ class FacetFiller::State {
     while (!faces_.empty()) {
       run_.checkpoint(Phase::Export);
       ++round_;
+      appendPatches();
       std::vector<OpenEdge> open = openEdgesOf(faces_);
       isWrong_.assign(faces_.size(), 0);
       std::vector<double> areas;
@@ -147,6 +150,33 @@ class FacetFiller::State {
 
  private:
   using Wrong = std::vector<HoleTriangles::Sides>;  // for each wrong triangle
+
+  // Fills narrow holes, and those with a plane border.
+  void appendPatches() {
+    const std::size_t first = faces_.size();
+    for (const TopoDS_Face& patch :
+         patches_.over(openEdgesOf(faces_), kMaxPatchWidth * tolerance_)) {
+      faces_.push_back(patch);
+      // If a patch and a face of the sweep do not fit together, the patch is left out.
+      areas_[patch.TShape().get()] = 0;
+      isPatch_.insert(patch.TShape().get());
+    }
+    if (first < faces_.size()) measure(first);
+  }
+
+  // Adds triangles of the faces from an index on.
+  void measure(std::size_t first) {
+    const std::vector<TopoDS_Face> added(faces_.begin() + static_cast<std::ptrdiff_t>(first),
+                                         faces_.end());
+    const TriMesh of = trianglesWithin(compoundOf(added), deflection());
+    const auto firstFace = static_cast<std::int32_t>(measured_.size());
+    const auto firstVertex = static_cast<std::int32_t>(triangles_.vertices.size());
+    for (const TopoDS_Face& face : added) measured_.push_back(face.TShape().get());
+    triangles_.vertices.insert(triangles_.vertices.end(), of.vertices.begin(), of.vertices.end());
+    for (const auto& [a, b, c] : of.triangles)
+      triangles_.triangles.push_back({firstVertex + a, firstVertex + b, firstVertex + c});
+    for (const std::int32_t face : of.faceOf) triangles_.faceOf.push_back(firstFace + face);
+  }
 
   double deflection() const { return kSagFraction * tolerance_; }
 
@@ -286,7 +316,12 @@ class FacetFiller::State {
     // Repairs change the faces in place, and so do exact sections.
     const std::vector<TopoDS_Face> closed = copyOf(facets.joinedAll());
     FilledSolid result;
-    for (std::size_t f = faces_.size(); f < closed.size(); ++f) {
+    std::vector<TopoDS_Face> ofSweep;
+    for (std::size_t f = 0; f < closed.size(); ++f) {
+      if (f < faces_.size() && isPatch_.count(faces_[f].TShape().get()) == 0) {
+        ofSweep.push_back(closed[f]);
+        continue;
+      }
       const auto kind = BRepAdaptor_Surface(closed[f], Standard_False).GetType();
       ++(kind == GeomAbs_Plane ? result.planes : result.cones);
     }
@@ -297,8 +332,7 @@ class FacetFiller::State {
       return result;
     }
     // Facets are exact already.
-    makeSectionsExact(
-        compoundOf({closed.begin(), closed.begin() + static_cast<std::ptrdiff_t>(faces_.size())}));
+    makeSectionsExact(compoundOf(ofSweep));
     return result;
   }
 
@@ -314,6 +348,8 @@ class FacetFiller::State {
   std::vector<char> isWrong_;  // by face
   HoleTriangles::MorePoints more_;
   std::map<const void*, double> areas_;
+  HolePatches patches_;
+  std::set<const void*> isPatch_;  // of faces_
   int round_ = 0;
 };
 

@@ -8,7 +8,6 @@
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_Plane.hxx>
@@ -22,6 +21,7 @@
 #include <cmath>
 
 #include "solid/assemble/kernel_geometry.h"
+#include "solid/assemble/lines_on_faces.h"
 #include "solid/assemble/solid_of_faces.h"
 #include "solid/carrier/fit_spline.h"
 #include "solid/mesh/flip_needles.h"
@@ -37,48 +37,6 @@ constexpr double kMinSags = 1.5;     // height of a facet, in sags of its curved
 
 Range rangeOf(const BRepAdaptor_Curve& curve) {
   return {curve.FirstParameter(), curve.LastParameter()};
-}
-
-// Returns the line with the parameters `first` to `last`.
-Handle(Geom2d_Curve) lineOn(const gp_Pnt2d& from, const gp_Pnt2d& to, double first, double last) {
-  TColgp_Array1OfPnt2d poles(1, 2);
-  TColStd_Array1OfReal knots(1, 2);
-  TColStd_Array1OfInteger twice(1, 2);
-  poles(1) = from;
-  poles(2) = to;
-  knots(1) = first;
-  knots(2) = last;
-  twice.Init(2);
-  return new Geom2d_BSplineCurve(poles, knots, twice, 1);
-}
-
-// Raises the tolerance of an edge until it contains its curve on a face. The vertices of faces are
-// less exact than their edges.
-void coverCurve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  constexpr int kPoints = 23;  // as a reader of the file does
-  constexpr double kMargin = 1.05;
-  double first, last;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
-  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
-  const Handle(Geom_Plane) plane = Handle(Geom_Plane)::DownCast(surface);
-  Handle(Geom2d_Curve) on;
-  if (plane.IsNull()) on = BRep_Tool::CurveOnSurface(edge, face, first, last);
-  double off = 0;
-  for (int i = 0; i < kPoints; ++i) {
-    const double t = first + (last - first) * i / (kPoints - 1);
-    const gp_Pnt p = curve->Value(t);
-    if (on.IsNull()) {
-      off = std::max(off, plane->Pln().Distance(p));
-      continue;
-    }
-    const gp_Pnt2d at = on->Value(t);
-    off = std::max(off, surface->Value(at.X(), at.Y()).Distance(p));
-  }
-  if (kMargin * off < BRep_Tool::Tolerance(edge)) return;
-  const BRep_Builder builder;
-  builder.UpdateEdge(edge, kMargin * off);
-  for (const TopoDS_Vertex& vertex : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)})
-    builder.UpdateVertex(vertex, kMargin * off);
 }
 
 }  // namespace
@@ -282,13 +240,7 @@ TopoDS_Face HoleFacets::coneFace(const Handle(Geom_Surface) & cone,
   setLine(sides[1], {second, isUp ? 0.0 : 1.0}, {second, isUp ? 1.0 : 0.0});
   const bool isDown = sides[2].Orientation() == TopAbs_FORWARD;
   setLine(sides[2], {third, isDown ? 1.0 : 0.0}, {third, isDown ? 0.0 : 1.0});
-  TopoDS_Edge point;  // all of one side of the parameters
-  builder.MakeEdge(point);
-  builder.Degenerated(point, Standard_True);
-  builder.Add(point, apex.Oriented(TopAbs_FORWARD));
-  builder.Add(point, apex.Oriented(TopAbs_REVERSED));
-  builder.UpdateEdge(point, lineOn({u0, 1}, {u1, 1}, u0, u1), face, Precision::Confusion());
-  builder.Range(point, u0, u1);
+  const TopoDS_Edge point = degeneratedEdge(apex, {u0, 1}, {u1, 1}, face);
   // The normal of the surface points inward if the curved side is reversed.
   TopoDS_Wire wire;
   builder.MakeWire(wire);
