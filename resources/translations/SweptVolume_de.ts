@@ -861,10 +861,6 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Am Start ist das Teil zu nah an einem Nachbarn oder überschneidet sich mit ihm: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder geben Sie einen Freigabeabstand an, der Kontakt in der Nähe des Starts erlaubt. Die Angaben in Klammern nennen den Nachbarn.</translation>
     </message>
     <message>
-        <source>At a locked key, the part is too close to a neighbour, or overlaps it: move the neighbour, reduce the required distance, or unlock the key. The details in parentheses name the neighbour.</source>
-        <translation>An einer gesperrten Stützstelle ist das Teil zu nah an einem Nachbarn oder überschneidet sich mit ihm: Verschieben Sie den Nachbarn, verringern Sie den Sollabstand, oder heben Sie die Sperre der Stützstelle auf. Die Angaben in Klammern nennen den Nachbarn.</translation>
-    </message>
-    <message>
         <source>Start and goal are the same: choose another start or goal.</source>
         <translation>Start und Ziel sind gleich: Wählen Sie einen anderen Start oder ein anderes Ziel.</translation>
     </message>
@@ -913,10 +909,6 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
         <translation>Die Tiefe eines erlaubten Kontakts wurde gemessen, aber die Teile könnten sich an einer anderen Stelle tiefer überschneiden.</translation>
     </message>
     <message>
-        <source>The triangles of the part, or of one of its bodies, faced inwards. They were reversed.</source>
-        <translation>Die Normalen der Dreiecke zeigten nach innen (beim ganzen Teil oder bei einem seiner Körper). Die Dreiecke wurden umgedreht.</translation>
-    </message>
-    <message>
         <source>Some adjacent triangles face opposite ways: check the mesh if the result looks wrong.</source>
         <translation>Die Normalen einiger benachbarter Dreiecke zeigen in entgegengesetzte Richtungen: Prüfen Sie das Netz, falls das Ergebnis falsch aussieht.</translation>
     </message>
@@ -935,10 +927,6 @@ The panel opened last, for tests and macros. FreeCAD does not give access to it.
     <message>
         <source>The part has cavities. They change the envelope only if Keep cavities is ticked.</source>
         <translation>Das Teil hat Hohlräume. Diese wirken sich nur dann auf die Hülle aus, wenn „Hohlräume behalten“ eingeschaltet ist.</translation>
-    </message>
-    <message>
-        <source>Some bodies of the part lie inside other bodies. They count as material.</source>
-        <translation>Manche Körper des Teils liegen in anderen; sie zählen als Material.</translation>
     </message>
     <message>
         <source>Poses with the same placement as the pose before were left out.</source>
@@ -2006,17 +1994,8 @@ FreeCAD hat den Rechenkern hier gesucht:
         <translation>Die Zwischenablage enthält keine Zeilen mit Zahlen: Kopieren Sie zuerst Zellen aus einer Tabelle.</translation>
     </message>
     <message>
-        <source>There is already a key at this time: choose another time.</source>
-        <extracomment>Larger numbers are not valid in a key; the core accepts up to 1e9 mm.</extracomment>
-        <translation>Zu dieser Zeit gibt es schon eine Stützstelle: Wählen Sie eine andere Zeit.</translation>
-    </message>
-    <message>
         <source>&quot;{0}&quot; is too large, or is neither a number nor a quantity that can be converted to {1}: correct the entry.</source>
         <translation>„{0}“ ist zu groß, oder weder eine Zahl noch eine Größe, die in {1} umgerechnet werden kann: Berichtigen Sie die Eingabe.</translation>
-    </message>
-    <message>
-        <source>The time of key {0} must lie between the times of the keys before and after it.</source>
-        <translation>Die Zeit der Stützstelle {0} muss zwischen den Zeiten der vorigen und der nächsten liegen.</translation>
     </message>
     <message>
         <source>Row {0} of the pasted text has {1} columns: use either the four columns t, x, y, z, or the seven columns t, x, y, z, yaw, pitch, roll.</source>
@@ -3528,10 +3507,6 @@ bis etwa {2}, {3}</translation>
         <translation>Ein Netz hat Lücken (offene Kanten) und damit kein eindeutiges Innen und Außen: Schließen Sie die Lücken.</translation>
     </message>
     <message>
-        <source>Two parts overlap in their installed positions: move one of them, or set the rule of the pair to Ignored. The details in parentheses name the parts.</source>
-        <translation>Zwei Teile überschneiden sich in ihren Einbaulagen: Verschieben Sie eines davon, oder setzen Sie die Regel des Paars auf „Ignoriert“. Die Angaben in Klammern nennen die Teile.</translation>
-    </message>
-    <message>
         <source>The part has gaps (open edges). Its envelope is closed all the same.</source>
         <translation>Das Teil hat Lücken (offene Kanten). Seine Hülle ist trotzdem geschlossen.</translation>
     </message>
@@ -3674,6 +3649,35 @@ bis etwa {2}, {3}</translation>
     <message>
         <source>Number of cells along the longest side of the box around the swept volume</source>
         <translation>Anzahl der Zellen entlang der längsten Seite des Quaders um das überstrichene Volumen</translation>
+    </message>
+    <message>
+        <source>Two parts overlap in their installed positions, by more than the release distance allows: move one of them, or increase the release distance. The details in parentheses name the parts.</source>
+        <translation>Zwei Teile überschneiden sich in ihren Einbaulagen, und zwar tiefer, als der Freigabeabstand erlaubt: Verschieben Sie eines davon, oder vergrößern Sie den Freigabeabstand. Die Angaben in Klammern nennen die Teile.</translation>
+    </message>
+    <message>
+        <source>At a pose on the way, the part is too close to a neighbour, or overlaps it: reduce the required distance, or move or remove this pose. The details in parentheses name the pose and the neighbour.</source>
+        <translation>An einer Lage auf dem Weg ist das Teil zu nah an einem Nachbarn oder überschneidet sich mit ihm: Verringern Sie den Sollabstand, oder ändern oder entfernen Sie diese Lage. Die Angaben in Klammern nennen die Lage und den Nachbarn.</translation>
+    </message>
+    <message>
+        <source>The triangles of the part, or of one of its shells (connected pieces of surface), faced inwards. They were reversed.</source>
+        <translation>Die Normalen der Dreiecke zeigten nach innen (beim ganzen Teil oder bei einer seiner Schalen, also einem zusammenhängenden Stück der Oberfläche). Die Dreiecke wurden umgedreht.</translation>
+    </message>
+    <message>
+        <source>Some shells (connected pieces of surface) of the part lie inside other shells. They count as material.</source>
+        <translation>Manche Schalen (zusammenhängende Stücke der Oberfläche) des Teils liegen in anderen Schalen. Sie zählen als Material.</translation>
+    </message>
+    <message>
+        <source>The time of key {0} must be less than {2} s, not {3} s.</source>
+        <extracomment>Larger numbers are not valid in a key; the core accepts up to 1e9 mm.</extracomment>
+        <translation>Die Zeit der Stützstelle {0} muss kleiner als {2} s sein, nicht {3} s.</translation>
+    </message>
+    <message>
+        <source>The time of key {0} must be more than {1} s, not {3} s.</source>
+        <translation>Die Zeit der Stützstelle {0} muss größer als {1} s sein, nicht {3} s.</translation>
+    </message>
+    <message>
+        <source>The time of key {0} must be more than {1} s and less than {2} s, not {3} s.</source>
+        <translation>Die Zeit der Stützstelle {0} muss größer als {1} s und kleiner als {2} s sein, nicht {3} s.</translation>
     </message>
 </context>
 <context>

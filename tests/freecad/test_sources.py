@@ -423,8 +423,12 @@ class Editing(Case):
 
     def test_times_stay_in_order(self):
         keys = self.keys()
-        with self.assertRaisesRegex(InputProblem, "key 2"):
+        with self.assertRaisesRegex(InputProblem, "key 2 must be more than 0 s and less than 3 s"):
             keys.set_time(1, 3)
+        with self.assertRaisesRegex(InputProblem, "key 1 must be less than 1 s, not 1.5 s"):
+            keys.set_time(0, 1.5)
+        with self.assertRaisesRegex(InputProblem, "key 3 must be more than 1 s, not 0.5 s"):
+            keys.set_time(2, 0.5)
         keys.set_time(1, 2.9)
         self.assertEqual(keys.times, [0, 2.9, 3])
 

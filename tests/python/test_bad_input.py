@@ -212,7 +212,7 @@ def test_bad_input_15_cell_against_body(both, box):
 def test_bad_input_16_cell(program, box, cell):
     with pytest.raises(_swept.InvalidInput) as caught:
         _swept.compute(*box, STILL, cell=cell)
-    assert caught.value.code == "BadOption" and "cellSize" in str(caught.value)
+    assert caught.value.code == "BadOption" and f"the cell size is {cell:g} mm" in str(caught.value)
     done = subprocess.run(
         [program, "envelope", "a.ply", "--motion", "b.csv", "--output", "c.ply"]
         + [f"--cell={cell}"],

@@ -37,7 +37,7 @@ def test_bad_input_16_threads(box, tmp_path, threads):
     ("option", "value", "said"),
     [
         ("tolerance", float("inf"), "tolerance is inf mm; allowed: 0 to 1e9 mm"),
-        ("planar_tolerance", -1.0, "planarTolerance is -1 mm; allowed"),
+        ("planar_tolerance", -1.0, "the planar tolerance is -1 mm; allowed"),
         ("product_name", "x" * 100000, "the product's name has 100000 bytes; allowed: up to 1000"),
         ("colour", [0.5, float("nan"), 0], "a component of the colour is nan; allowed: 0 to 1"),
         ("max_faces", 3, "the limit of faces is 3; allowed: 4 or more"),

@@ -62,8 +62,9 @@ _TEXTS = {
     ),
     "PartsIntersect": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "Two parts overlap in their installed positions: move one of them, or set the rule of "
-        "the pair to Ignored. The details in parentheses name the parts.",
+        "Two parts overlap in their installed positions, by more than the release distance "
+        "allows: move one of them, or increase the release distance. The details in parentheses "
+        "name the parts.",
     ),
     "PartsTooNear": QT_TRANSLATE_NOOP(
         "SweptVolume",
@@ -126,9 +127,9 @@ _TEXTS = {
     ),
     "ViaBlocked": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "At a locked key, the part is too close to a neighbour, or overlaps it: move the "
-        "neighbour, reduce the required distance, or unlock the key. The details in parentheses "
-        "name the neighbour.",
+        "At a pose on the way, the part is too close to a neighbour, or overlaps it: reduce the "
+        "required distance, or move or remove this pose. The details in parentheses name the pose "
+        "and the neighbour.",
     ),
     "SamePose": QT_TRANSLATE_NOOP(
         "SweptVolume", "Start and goal are the same: choose another start or goal."
@@ -189,7 +190,8 @@ _TEXTS = {
     "EqualTimes": QT_TRANSLATE_NOOP("SweptVolume", "Some poses have the same time."),
     "Flipped": QT_TRANSLATE_NOOP(
         "SweptVolume",
-        "The triangles of the part, or of one of its bodies, faced inwards. They were " "reversed.",
+        "The triangles of the part, or of one of its shells (connected pieces of surface), faced "
+        "inwards. They were reversed.",
     ),
     "MixedOrientation": QT_TRANSLATE_NOOP(
         "SweptVolume",
@@ -213,7 +215,9 @@ _TEXTS = {
         "The part has cavities. They change the envelope only if Keep cavities is ticked.",
     ),
     "NestedShells": QT_TRANSLATE_NOOP(
-        "SweptVolume", "Some bodies of the part lie inside other bodies. They count as material."
+        "SweptVolume",
+        "Some shells (connected pieces of surface) of the part lie inside other shells. They count "
+        "as material.",
     ),
     "RepeatedPoses": QT_TRANSLATE_NOOP(
         "SweptVolume", "Poses with the same placement as the pose before were left out."

@@ -16,6 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kSpaceAdvice =
+    "; check the free space, or choose another folder (an old file of this name is unchanged)";
+
 [[noreturn]] void refuse(const std::string& code, const std::string& text) {
   throw Error(Status::ExportFailed, code, text);
 }
@@ -50,7 +53,7 @@ std::string causeOf(int error) {
 // Flushes the file to the disk. Some systems report a full disk only at this point.
 void syncToDisk(const fs::path& file, const std::string& name) {
   if (const int failed = os::flushToDisk(file); failed != 0) {
-    refuse("WriteFailed", "writing '" + name + "' failed: " + causeOf(failed));
+    refuse("WriteFailed", "writing '" + name + "' failed: " + causeOf(failed) + kSpaceAdvice);
   }
 }
 
@@ -151,8 +154,7 @@ void SafeFile::close() {
   const int error = errno;
   closeQuietly(stream_);
   if (!written || stream_.fail()) {
-    refuse("WriteFailed", "writing '" + name_ + "' failed: " + causeOf(error) +
-                              "; an old file of this name is unchanged");
+    refuse("WriteFailed", "writing '" + name_ + "' failed: " + causeOf(error) + kSpaceAdvice);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/limits.h"
+#include "base/number_text.h"
 #include "geometry/half_edges.h"
 #include "geometry/mesh_numbers.h"
 #include "geometry/shells.h"
@@ -26,9 +27,10 @@ void requireUsable(const TriMesh& mesh, const std::string& who) {
                     "part again");
   if (numbers.largest > kMaxLength)
     throw Error(Status::InvalidInput, "OutOfRange",
-                who + ": vertex " + std::to_string(numbers.farthest) +
-                    " (counted from 0) lies more than 1e9 mm from the origin; check the unit of "
-                    "length of the part");
+                who + ": vertex " + std::to_string(numbers.farthest) + " (counted from 0) lies " +
+                    numberText(numbers.largest, kTellingDigits) +
+                    " mm from the origin, but the limit is 1e9 mm; check the unit of length of "
+                    "the part");
   if (const std::optional<BadIndex> bad = findBadIndex(mesh))
     throw Error(Status::InvalidInput, "BadIndex",
                 who + ": " + badIndexText(*bad, mesh) + "; export the part again");

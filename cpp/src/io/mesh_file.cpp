@@ -123,7 +123,8 @@ TriMesh toTriangles(PolygonList found, const std::string& path) {
 void scaleAndCheck(TriMesh& mesh, double factor) {
   if (!(factor > 0) || !std::isfinite(factor)) {
     throw Error(Status::InvalidInput, "BadOption",
-                "the number of millimetres per unit must be a finite number above 0");
+                "the number of millimetres per unit is " + numberText(factor, kTellingDigits) +
+                    ", but must be a finite number above 0, such as 1 for mm or 1000 for m");
   }
   if (factor == 1.0) return;
   for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= factor;

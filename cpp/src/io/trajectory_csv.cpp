@@ -189,7 +189,8 @@ class CsvReader {
         throw Error(Status::InvalidInput, "BadPose",
                     "'" + path_ + "', line " + std::to_string(lines_.number()) + ", column " +
                         std::to_string(i + 1) + ", pose " + std::to_string(poses_.size() + 1) +
-                        ": '" + std::string(fields_[i]) + "' is not a finite number");
+                        ": '" + std::string(fields_[i]) +
+                        "' is not a finite number; correct or remove this row");
       }
     }
     const bool columns = width_ == kPoseColumns.size() || !columns_.target.empty();
@@ -278,7 +279,9 @@ Trajectory readTrajectoryCsv(const std::string& path, double millimetresPerUnit,
                              Interpolation interpolation) {
   if (!(millimetresPerUnit > 0) || !std::isfinite(millimetresPerUnit)) {
     throw Error(Status::InvalidInput, "BadOption",
-                "the number of millimetres per unit must be a finite number above 0");
+                "the number of millimetres per unit is " +
+                    numberText(millimetresPerUnit, kTellingDigits) +
+                    ", but must be a finite number above 0, such as 1 for mm or 1000 for m");
   }
   Trajectory trajectory;
   trajectory.interpolation = interpolation;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "base/number_text.h"
 #include "motion/step_path.h"
 
 namespace swept {
@@ -48,11 +50,12 @@ Motion refineMotion(const TriMesh& body, const Trajectory& trajectory, double ch
     const double wanted = piecesOf(radius, path.angle(), longest, chord);
     if (!(wanted < static_cast<double>(kMaxPlacements - motion.placements.size()))) {
       throw Error(Status::ResourceLimit, "ResourceLimit",
-                  "the motion between poses " + std::to_string(i) + " and " +
-                      std::to_string(i + 1) + " would need more than " +
-                      std::to_string(kMaxPlacements) +
-                      " sampled placements to follow its rotation; use a larger cell, or a pivot "
-                      "closer to the part");
+                  textOf(4, "between poses ", i + 1, " and ", i + 2, " (counted from 1, at ",
+                         poses[i].timeSeconds, " s and ", poses[i + 1].timeSeconds,
+                         " s), the part turns by ", path.angle() * 180 / std::numbers::pi,
+                         " degrees about an axis up to ", radius,
+                         " mm away, which would need more than ", kMaxPlacements,
+                         " sampled placements; use a larger cell, or a pivot closer to the part"));
     }
     const int pieces = std::max(1, static_cast<int>(std::ceil(wanted)));
     motion.chordError =

@@ -45,19 +45,20 @@ void checkPart(const SequencePart& part, const SequenceOptions& options) {
     if (part.motion) {
       const std::vector<Pose>& keys = part.motion->poses;
       if (keys.size() < 2)
-        refuse("BadPose",
-               "the motion has fewer than two poses; add poses, or leave out the motion");
+        refuse("BadPose", "the motion has " + counted(std::ssize(keys), "pose") +
+                              ", but needs at least 2; add poses, or leave out the motion");
       for (std::size_t i = 1; i < keys.size(); ++i)
         if (!(keys[i].timeSeconds > keys[i - 1].timeSeconds))
-          refuse("EqualTimes", "key " + std::to_string(i + 1) +
-                                   " is not later than the key before it; times must increase");
+          refuse("EqualTimes", textOf(6, keyName(i), ", at ", keys[i].timeSeconds,
+                                      " s, is not later than the key before it, at ",
+                                      keys[i - 1].timeSeconds, " s; times must increase"));
       std::vector<Finding> findings;
       clearance::timedPoses({part.name, {}, *part.motion}, findings);
       task = {};
       task.start = Pose{};
     }
     checkPathOptions(task, {ClearanceNeighbour{}}, o);
-    checkedPose(Assembled::goalOf(part), "goal");
+    checkedPose(Assembled::goalOf(part), "the goal");
   } catch (const Error& error) {
     const std::string who = "part '" + part.name + "'";
     if (std::string(error.what()).find(who) != std::string::npos) throw;
@@ -183,19 +184,20 @@ void Assembled::refuseWorst(const std::vector<NearPair>& pairs, const PathOption
   std::string text = "in their installed positions, " + pairText(worst, a, b);
   const std::size_t others = pairs.size() - 1;
   if (others > 0) text += " (and " + counted(static_cast<std::int64_t>(others), "more pair") + ")";
+  const std::string more = releaseAdvice(worst.row, o.release);
   if (worst.intersect)
     refuse("PartsIntersect",
            text +
                (o.release > 0
                     ? ", but at most " +
                           numberText(largestAllowedDepth(worst.row, o.tolerance, o.release), 4) +
-                          " mm is allowed within the release distance"
+                          " mm is allowed within the release distance of " +
+                          numberText(o.release, 4) + " mm"
                     : "") +
-               "; move one of the parts, or ignore the pair");
-  refuse("PartsTooNear", text + ", but " +
-                             numberText(rules_.of(worst.parts).required.value_or(0), 6) +
-                             " mm are required; reduce the required distance, or set a release "
-                             "distance, which allows contact near the installed positions");
+               "; move one of the parts" + (more.empty() ? "" : ", or " + more));
+  refuse("PartsTooNear",
+         text + ", " + requiredText(rules_.of(worst.parts).required.value_or(0), o.tolerance) +
+             "set a release distance, which allows contact near the installed positions");
 }
 
 }  // namespace swept::path

@@ -11,30 +11,37 @@ namespace swept::path {
 namespace {
 
 constexpr std::size_t kMaxExits = 6;
+constexpr double kDepthShare = 0.1;  // largest allowed depth, as a share of the release distance
+
+bool isVia(const std::string& what) { return what != "the goal" && what != "the start"; }
 
 [[noreturn]] void refuse(const std::string& what, const NeighbourClearance& row, double required,
-                         double release, double most) {
-  std::string code = what + "Blocked";
-  code[0] = static_cast<char>(code[0] - 'a' + 'A');
-  const std::string where = "at the " + what + (what == "via" ? " placement" : "");
+                         double tolerance, double release, double most) {
+  const bool via = isVia(what);
+  const char* code = via ? "ViaBlocked" : what == "the goal" ? "GoalBlocked" : "StartBlocked";
+  const std::string where = "at " + what;
   const std::string who = "'" + row.name + "'";
   if (row.verdict == ClearanceVerdict::Clash) {
     const std::string depth = row.penetration.known
                                   ? numberText(row.penetration.depth, 4) + " mm deep"
                                   : "by an unknown depth, because the meshes are open";
-    throw Error(Status::InvalidInput, code,
-                where + " the part overlaps neighbour " + who + ", " + depth +
-                    (release > 0 ? "; within the release distance, the largest allowed depth is " +
-                                       numberText(most, 4) + " mm"
-                                 : "") +
-                    ". Move the part, or ignore this neighbour");
+    const std::string more = via ? "" : releaseAdvice(row, release);
+    throw Error(
+        Status::InvalidInput, code,
+        where + " the part overlaps neighbour " + who + ", " + depth +
+            (release > 0 ? ", but within the release distance of " + numberText(release, 4) +
+                               " mm, at most " + numberText(most, 4) + " mm is allowed"
+                         : "") +
+            "; move " + (via ? "or remove this pose" : "the part") +
+            (more.empty() ? "" : ", " + more) + ", or ignore this neighbour");
   }
   throw Error(Status::InvalidInput, code,
               where + " the part is " +
                   numberText(std::max(0.0, row.distance - row.chordError), 6) +
-                  " mm from neighbour " + who + ", but " + numberText(required, 6) +
-                  " mm are required; reduce the required distance, or set a release distance, "
-                  "which allows contact near the start and the goal");
+                  " mm from neighbour " + who + ", " + requiredText(required, tolerance) +
+                  (via ? "move or remove this pose"
+                       : "set a release distance, which allows contact near the start and the "
+                         "goal"));
 }
 
 // Returns the keys of a move: one straight piece, or a screw in pieces of at most 30 degrees each.
@@ -141,14 +148,33 @@ bool staysWithinDepth(const Scene& scene, const Demand& demand, const End& end,
 }
 
 double largestAllowedDepth(const NeighbourClearance& row, double tolerance, double release) {
-  return std::max(tolerance + row.chordError, 0.1 * release);
+  return std::max(tolerance + row.chordError, kDepthShare * release);
+}
+
+std::string releaseAdvice(const NeighbourClearance& row, double release) {
+  if (!row.penetration.known) return "";
+  // The text has three digits. One per cent more makes up for rounding.
+  const double enough = 1.01 * row.penetration.depthBound / kDepthShare;
+  return std::string(release > 0 ? "increase the release distance to"
+                                 : "set a release distance of") +
+         " at least " + numberText(enough, 3) + " mm";
+}
+
+std::string requiredText(double required, double tolerance) {
+  if (required <= tolerance)
+    return "but " + numberText(tolerance, 6) + " mm (the accuracy) are needed; ";
+  return "but " + numberText(required, 6) + " mm are required; reduce the required distance, or ";
+}
+
+std::string viaName(std::size_t number) {
+  return "pose " + std::to_string(number) + " on the way (via, counted from 1)";
 }
 
 End examineContacts(const Scene& scene, const Demand& demand, const State& state,
                     const std::string& what, RunContext& run) {
   End end{state, std::vector<double>(scene.count(), -1), {}};
   const clearance::MotionTree still = scene.motionTree({{state.pose}, Interpolation::None});
-  const double release = what == "via" ? 0 : demand.release;
+  const double release = isVia(what) ? 0 : demand.release;
   for (std::size_t i = 0; i < scene.count(); ++i) {
     run.checkpoint(Phase::Motion, i, scene.count());
     const NeighbourClearance row = checkNeighbour(
@@ -158,7 +184,8 @@ End examineContacts(const Scene& scene, const Demand& demand, const State& state
     const double most = largestAllowedDepth(row, demand.tolerance, release);
     const bool clash = row.verdict == ClearanceVerdict::Clash;
     const bool deep = clash && (!row.penetration.known || row.penetration.depthBound > most);
-    if (release <= 0 || deep) refuse(what, row, demand.required[i], release, most);
+    if (release <= 0 || deep)
+      refuse(what, row, demand.required[i], demand.tolerance, release, most);
     end.allowedDepth[i] = clash ? std::min(most, 1.05 * row.penetration.depthBound) : touch;
   }
   return end;

@@ -56,6 +56,18 @@ struct End {
 /// of the check of this neighbour at that end.
 double largestAllowedDepth(const NeighbourClearance& row, double tolerance, double release);
 
+/// Returns advice about the release distance that would allow the overlap in `row`, such as "set a
+/// release distance of at least 5 mm". Empty if the depth of the overlap is not known. `release`:
+/// mm, the present release distance.
+std::string releaseAdvice(const NeighbourClearance& row, double release);
+
+/// Returns the end of a message about parts that are too near, for example "but 5 mm are required;
+/// reduce the required distance, or ", which other advice must follow. Units: mm.
+std::string requiredText(double required, double tolerance);
+
+/// Returns the name in messages of a pose that the path must pass. `number`: counts from 1.
+std::string viaName(std::size_t number);
+
 /// Checks one neighbour with checkPair() (clearance/pair_check.h). `required`: mm.
 NeighbourClearance checkNeighbour(const Scene& scene, const Demand& demand, std::size_t neighbour,
                                   const clearance::MotionTree& motion, double required,
@@ -65,8 +77,8 @@ NeighbourClearance checkNeighbour(const Scene& scene, const Demand& demand, std:
 End examineContacts(const Scene& scene, const Demand& demand, const State& state,
                     const std::string& what, RunContext& run);
 
-/// Examines an end of the path. `what`: "goal", "start" or "via". Throws Error(InvalidInput) with
-/// GoalBlocked, StartBlocked or ViaBlocked, and Error(Cancelled).
+/// Examines an end of the path. `what`: "the goal", "the start" or a text from viaName(). Throws
+/// Error(InvalidInput) with GoalBlocked, StartBlocked or ViaBlocked, and Error(Cancelled).
 End examineEnd(const Scene& scene, const Demand& demand, const State& state,
                const std::string& what, RunContext& run);
 

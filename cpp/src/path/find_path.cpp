@@ -64,19 +64,21 @@ class PathFinder {
   // Examines the ends of all legs: the start (or several placements outside), the via poses, the
   // goal.
   void prepare() {
-    const State goal = scene_.inside(checkedPose(task_.goal, "goal"));
+    const State goal = scene_.inside(checkedPose(task_.goal, "the goal"));
     space_.upright = goal.pose.rotation;
     space_.largestTurn = o_.translationOnly ? 0 : o_.largestTurn.value_or(4.0);
-    ends_.push_back(examineEnd(scene_, demand_, goal, "goal", run_));
-    for (std::size_t i = task_.via.size(); i-- > 0;)
-      ends_.push_back(examineEnd(
-          scene_, demand_, scene_.inside(checkedPose(task_.via[i], "via placement")), "via", run_));
+    ends_.push_back(examineEnd(scene_, demand_, goal, "the goal", run_));
+    for (std::size_t i = task_.via.size(); i-- > 0;) {
+      const std::string name = viaName(i + 1);
+      ends_.push_back(
+          examineEnd(scene_, demand_, scene_.inside(checkedPose(task_.via[i], name)), name, run_));
+    }
     if (task_.start) {
-      const State start = scene_.inside(checkedPose(*task_.start, "start"));
+      const State start = scene_.inside(checkedPose(*task_.start, "the start"));
       if (ends_.size() == 1 && scene_.distance(start, goal) < 1e-6 * scene_.radius())
         throw Error(Status::InvalidInput, "SamePose",
                     "start and goal are the same placement; choose another start or goal");
-      ends_.push_back(examineEnd(scene_, demand_, start, "start", run_));
+      ends_.push_back(examineEnd(scene_, demand_, start, "the start", run_));
     } else {
       Extraction extraction = *task_.extraction;
       if (extraction.direction)
@@ -113,7 +115,7 @@ class PathFinder {
       for (const auto& keys : ends_[i].exits) {
         const double turn = keys.front().pose.rotation.angularDistance(space_.upright);
         if (turn <= std::max(space_.largestTurn, 1e-6)) continue;
-        const std::string where = i == 0 ? "the start" : textOf(0, "via placement ", i);
+        const std::string where = i == 0 ? "the start" : viaName(i);
         const std::string limit =
             o_.translationOnly
                 ? "no turns are allowed"

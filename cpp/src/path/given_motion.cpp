@@ -26,8 +26,10 @@ class GivenMotion {
         report_(report),
         scene_(part, neighbours, options, run),
         demand_(demandOf(neighbours, options)) {
-    for (const Pose& pose : motion.poses)
-      keys_.push_back({scene_.inside(checkedPose(pose, "key")), pose.timeSeconds});
+    for (std::size_t i = 0; i < motion.poses.size(); ++i) {
+      const Pose& pose = motion.poses[i];
+      keys_.push_back({scene_.inside(checkedPose(pose, keyName(i))), pose.timeSeconds});
+    }
   }
 
   void check() {
@@ -35,8 +37,8 @@ class GivenMotion {
     for (std::size_t i = 0; i < scene_.count(); ++i)
       closed.push_back(scene_.neighbour(i).closed() ? 1 : 0);
     report_.warnings = clearance::openFindings(demand_.names, closed, scene_.part().closed());
-    const End start = examineContacts(scene_, demand_, keys_.front().state, "start", run_);
-    const End goal = examineContacts(scene_, demand_, keys_.back().state, "goal", run_);
+    const End start = examineContacts(scene_, demand_, keys_.front().state, "the start", run_);
+    const End goal = examineContacts(scene_, demand_, keys_.back().state, "the goal", run_);
     std::vector<State> states;
     for (const Key& key : keys_) states.push_back(key.state);
     addLength(states, report_);
@@ -50,8 +52,8 @@ class GivenMotion {
               " mm from its start or its goal. Contact is allowed there, so nothing would be "
               "checked; choose a smaller release distance");
     report_.certificate = checked(part(first, last), demand_.apart);
-    checkZone(start, part(0, first));
-    checkZone(goal, part(last, keys_.size() - 1));
+    checkZone(start, "start", part(0, first));
+    checkZone(goal, "goal", part(last, keys_.size() - 1));
     if (!report_.escape.blockers.empty()) return;
     report_.verdict = PathVerdict::Found;
     report_.method = "given";
@@ -124,31 +126,46 @@ class GivenMotion {
 
   // Checks the motion in the release zone of an end. There, the part must keep the required
   // distance from neighbours that it does not touch at the end. In the other neighbours, it must
-  // not lie deeper than at the end.
-  void checkZone(const End& end, const Trajectory& motion) {
+  // not lie deeper than at the end. `where`: "start" or "goal".
+  void checkZone(const End& end, const char* where, const Trajectory& motion) {
     if (motion.poses.size() < 2) return;
     checked(motion, end.ruleInside(demand_));
-    if (staysWithinDepth(scene_, demand_, end, motion, run_)) return;
-    for (std::size_t i = 0; i < scene_.count(); ++i)
-      if (end.allowedDepth[i] >= 0)
-        fail(demand_.names[i], scene_.at(motion.poses.front()),
-             "within the release distance, the part overlaps '" + demand_.names[i] +
-                 "' more deeply than at its start or goal");
+    for (std::size_t i = 0; i < scene_.count(); ++i) {
+      if (end.allowedDepth[i] < 0) continue;
+      End only{end.state, std::vector<double>(scene_.count(), -1), {}};
+      only.allowedDepth[i] = end.allowedDepth[i];
+      if (staysWithinDepth(scene_, demand_, only, motion, run_)) continue;
+      fail(
+          demand_.names[i], scene_.at(motion.poses.front()),
+          textOf(4, "within the release distance of ", o_.release, " mm from its ", where,
+                 ", the part may overlap '", demand_.names[i], "' by at most ", end.allowedDepth[i],
+                 " mm, but it overlaps more deeply there, or by an unknown depth; change the "
+                 "motion there"));
+    }
   }
 
   std::vector<NeighbourClearance> checked(const Trajectory& motion, const Rule& rule) {
     std::vector<NeighbourClearance> rows = certificateOf(scene_, demand_, motion, rule, run_);
-    for (const NeighbourClearance& row : rows) {
-      if (row.verdict == ClearanceVerdict::Clear) continue;
-      const bool deep = row.verdict == ClearanceVerdict::Clash && row.penetration.known;
-      const std::string how = deep ? numberText(row.penetration.depth, 4) + " mm deep into '"
-                                   : numberText(row.guaranteed, 4) + " mm from '";
-      fail(
-          row.name, scene_.at(row.pose),
-          "the part comes " + how + row.name + "' at t = " + numberText(row.timeSeconds, 4) + " s");
-    }
+    for (const NeighbourClearance& row : rows)
+      if (row.verdict != ClearanceVerdict::Clear)
+        fail(row.name, scene_.at(row.pose), nearText(row));
     toCallerWorld(scene_, rows);
     return rows;
+  }
+
+  std::string nearText(const NeighbourClearance& row) const {
+    const std::string when = textOf(4, "at t = ", row.timeSeconds, " s the part ");
+    if (row.verdict == ClearanceVerdict::Clash) {
+      const std::string depth =
+          row.penetration.known ? textOf(4, ", ", row.penetration.depth, " mm deep") : "";
+      return when + "overlaps '" + row.name + "'" + depth + "; change the motion there";
+    }
+    const auto name = std::find(demand_.names.begin(), demand_.names.end(), row.name);
+    const double required =
+        demand_.required[static_cast<std::size_t>(name - demand_.names.begin())];
+    return when + "is " + numberText(std::max(0.0, row.distance - row.chordError), 6) +
+           " mm from '" + row.name + "', " + requiredText(required, demand_.tolerance) +
+           "change the motion there";
   }
 
   void fail(const std::string& name, const State& where, const std::string& text) {

@@ -74,8 +74,10 @@ class Improver {
     const std::vector<Pose>& poses = task_.motion.poses;
     if (poses.size() < 2)
       throw Error(Status::InvalidInput, "BadPose",
-                  "the motion has fewer than two poses, so there is no path to improve; add poses");
-    for (const Pose& pose : poses) keys_.push_back(scene_.inside(checkedPose(pose, "key")));
+                  "the motion has " + counted(std::ssize(poses), "pose") +
+                      ", but a path to improve needs at least 2; add poses");
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      keys_.push_back(scene_.inside(checkedPose(poses[i], keyName(i))));
     for (std::size_t i = 1; i < poses.size(); ++i)
       if (!(poses[i].timeSeconds >= poses[i - 1].timeSeconds))
         throw Error(Status::InvalidInput, "BadPose",
@@ -312,7 +314,11 @@ class Improver {
     report_.budgetEnded = timer_.seconds() > o_.budgetSeconds;
     if (report_.certificate.empty()) {
       report_.escape.pose = task_.motion.poses.back();
-      report_.summary = "no section of the motion keeps the required distance";
+      const double most = *std::max_element(demand.required.begin(), demand.required.end());
+      report_.summary = "no section of the motion keeps the required distance (" +
+                        numberText(std::max(most, demand.tolerance), 6) +
+                        " mm); move its keys away from the neighbours" +
+                        (most > demand.tolerance ? ", or reduce this distance" : "");
       return;
     }
     report_.verdict = PathVerdict::Found;
@@ -376,7 +382,8 @@ PathReport improvePath(const TriMesh& part, const ImproveTask& task,
     PathTask ends;
     ends.start = Pose{};
     checkPathOptions(ends, counted, o);
-    for (const Pose& pose : task.motion.poses) checkedPose(pose, "key");
+    for (std::size_t i = 0; i < task.motion.poses.size(); ++i)
+      checkedPose(task.motion.poses[i], keyName(i));
     // The pivot moves along straight lines. All computations use coordinates whose origin is the
     // pivot.
     const Eigen::Vector3d pivot = pivotOf(task.motion);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/number_text.h"
 #include "path/scene.h"
 
 namespace swept {
@@ -71,7 +72,8 @@ LiveDistance LiveClearance::at(const Pose& pose) {
 Pose LiveClearance::reached(const Pose& from, const Pose& to, double apart) {
   if (!(apart > 0) || !std::isfinite(apart))
     throw Error(Status::InvalidInput, "BadOption",
-                "the required distance must be greater than 0 mm");
+                "the required distance is " + numberText(apart, kTellingDigits) +
+                    " mm, but must be a finite number greater than 0 mm");
   const path::Scene& scene = parts_->scene;
   const path::Rule rule(scene.count(), apart);
   const path::State a = scene.inside(from), b = scene.inside(to);

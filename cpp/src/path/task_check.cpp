@@ -71,18 +71,21 @@ void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour
   }
 }
 
+std::string keyName(std::size_t index) { return "key " + std::to_string(index + 1); }
+
 Pose checkedPose(const Pose& pose, const std::string& what) {
   const double norm = pose.rotation.norm();
   if (!pose.translation.allFinite() || !std::isfinite(norm))
     throw Error(Status::InvalidInput, "BadPose",
-                "the " + what + " contains a number that is not finite; give finite numbers only");
+                what + " contains a number that is not finite; give finite numbers only");
   if (std::abs(norm - 1) > 1e-4)
     throw Error(Status::InvalidInput, "BadPose",
-                "the " + what + " has a quaternion of length " + numberText(norm, 6) +
+                what + " has a quaternion of length " + numberText(norm, 6) +
                     " instead of 1 (allowed error: 0.0001); give a unit quaternion");
-  if (pose.translation.cwiseAbs().maxCoeff() > kMaxLength)
+  if (const double far = pose.translation.cwiseAbs().maxCoeff(); far > kMaxLength)
     throw Error(Status::InvalidInput, "OutOfRange",
-                "the " + what + " lies more than 1e9 mm from the origin; check the unit of length");
+                what + " lies " + numberText(far, kTellingDigits) +
+                    " mm from the origin, but the limit is 1e9 mm; check the unit of length");
   Pose checked = pose;
   checked.rotation.normalize();
   return checked;

@@ -14,8 +14,11 @@ namespace swept::path {
 void checkPathOptions(const PathTask& task, const std::vector<ClearanceNeighbour>& neighbours,
                       const PathOptions& options);
 
-/// Returns the pose with a unit quaternion. `what`: "goal", "start" and so on, for messages. Throws
-/// Error(InvalidInput) with BadPose or OutOfRange.
+/// Returns the name of a key in messages, which count from 1. `index`: counts from 0.
+std::string keyName(std::size_t index);
+
+/// Returns the pose with a unit quaternion. `what`: "the goal", "key 2" and so on, for messages.
+/// Throws Error(InvalidInput) with BadPose or OutOfRange.
 Pose checkedPose(const Pose& pose, const std::string& what);
 
 }  // namespace swept::path

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pipeline/envelope_run.h"
 
+#include "base/fault_text.h"
 #include "base/number_text.h"
 #include "crossings/crossing_sources.h"
 #include "crossings/element_probe.h"
@@ -245,12 +246,14 @@ void EnvelopeRun::grow(const BodyTopology& topology) {
     result_.kept.reset();  // dropped: with another tolerance, the envelope would need its own proof
     return;
   }
-  throw Error(Status::InternalError, "NotProven",
-              "it could not be proven that the envelope contains the swept volume: " +
-                  std::to_string(proof.tooNear) +
-                  " triangles are too close to the swept volume, and " +
-                  std::to_string(proof.outside) +
-                  " pieces of the swept volume lie outside the envelope; use a smaller cell");
+  throw Error(
+      Status::InternalError, "NotProven",
+      "it could not be proven that the envelope contains the swept volume: " +
+          std::to_string(proof.tooNear) + " triangles are too close to the swept volume, and " +
+          std::to_string(proof.outside) + " pieces of the swept volume lie outside the envelope" +
+          faultText("the part, the motion and the options") +
+          textOf(3, ". A smaller cell may avoid the fault: try ", 0.9 * cell, " mm instead of ",
+                 cell, " mm"));
 }
 
 void EnvelopeRun::growTo(const GrownSweep& sweep, const SamplerInput& input, double distance) {

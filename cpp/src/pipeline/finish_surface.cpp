@@ -14,6 +14,24 @@
 namespace swept {
 namespace {
 
+/// Returns advice for details that are smaller than a cell (mm).
+std::string smallerCell(double cell) {
+  return textOf(3, "use a smaller cell, such as ", 0.5 * cell, " mm instead of ", cell, " mm,");
+}
+
+/// Returns where the first pair of intersecting triangles is, as the end of a sentence. Empty if
+/// the report has no pair.
+std::string firstIntersection(const TriMesh& mesh, const MeshCheck& check) {
+  if (check.firstIntersections.empty()) return "";
+  const auto& corners =
+      mesh.triangles[static_cast<std::size_t>(check.firstIntersections.front().first)];
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const std::int32_t corner : corners)
+    middle += mesh.vertices[static_cast<std::size_t>(corner)] / 3;
+  return textOf(4, " (the first near x = ", middle.x(), ", y = ", middle.y(), ", z = ", middle.z(),
+                " mm)");
+}
+
 /// Removes specks (contour/mend/specks.h). The sweep of a body in continuous motion is connected,
 /// so no real part of it is as small as a speck. A union of separate copies may have such parts, so
 /// only parts without volume are removed then.
@@ -31,7 +49,7 @@ void dropSpecks(Surface& surface, SelfIntersections& pairs, const Finishing& wit
               " too small for the cells of the grid ", specks.count == 1 ? "was" : "were",
               " removed beside the envelope; the largest is ", specks.largestSize * cell,
               " mm across and has a volume of ", specks.largestVolume * cell * cell * cell,
-              " mm^3")});
+              " mm^3; ", smallerCell(cell), " if they matter")});
 }
 
 bool turnInsideOut(Surface& surface, const MeshTopology& topology, const Finishing& with,
@@ -45,8 +63,8 @@ bool turnInsideOut(Surface& surface, const MeshTopology& topology, const Finishi
                              {},
                              counted(count, "very thin shell", "very thin shells") +
                                  ", a few cells across, faced inwards and " +
-                                 (count == 1 ? "was" : "were") +
-                                 " reversed; use a smaller cell if such details matter"});
+                                 (count == 1 ? "was" : "were") + " reversed; " +
+                                 smallerCell(with.prepared.grid.cell) + " if such details matter"});
   return true;
 }
 
@@ -114,7 +132,9 @@ MeshTopology checkAndMend(Surface& surface, const HermiteGrid& hermite, const Fi
          pairs,
          {},
          counted(pairs, "pair of triangles intersects", "pairs of triangles intersect") +
-             "; a smaller cell usually avoids this"});
+             firstIntersection(surface.mesh, report.check) +
+             textOf(3, "; a smaller cell usually avoids this: try ", 0.9 * report.cellSize,
+                    " mm instead of ", report.cellSize, " mm")});
   }
   if (consistent) requirePassed(report.check, "the envelope", report.cellSize);
   return topology;

@@ -126,7 +126,7 @@ Built buildUpright(const HalfEdgeMesh& mesh, SolidOptions& options, SolidFormat 
 }  // namespace
 
 void checkOptions(const SolidOptions& options) {
-  requireLength("planarTolerance", options.planarTolerance);
+  requireLength("the planar tolerance", options.planarTolerance);
   requireLength("the solid's tolerance", options.tolerance);
   requireName("the product's name", options.productName);
   requireName("the author", options.author);

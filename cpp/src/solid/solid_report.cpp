@@ -30,7 +30,9 @@ std::vector<Finding> solidFindings(const WrittenSolid& solid, const SolidOptions
                         {},
                         "the solid deviates from the mesh by " + numberText(solid.deviation, 3) +
                             " mm, more than the tolerance of " + numberText(options.tolerance, 3) +
-                            " mm"});
+                            " mm; a smaller tolerance, such as " +
+                            numberText(0.5 * options.tolerance, 3) +
+                            " mm, or a smaller cell may reduce the deviation"});
   }
   return findings;
 }

@@ -55,17 +55,17 @@ TEST(TrajectoryCheck, bad_input_16_options) {
     }
   };
   EXPECT_NO_THROW(checkOptions(Options{}));
-  refused([](Options& o) { o.cellSize = -1; }, "cellSize = -1");
-  refused([](Options& o) { o.cellSize = 0; }, "cellSize = 0");
-  refused([](Options& o) { o.cellSize = kNan; }, "cellSize = nan");
-  refused([](Options& o) { o.cellSize = HUGE_VAL; }, "cellSize = inf");
-  refused([](Options& o) { o.resolution = 0; }, "resolution = 0");
-  refused([](Options& o) { o.resolution = -5; }, "resolution = -5");
+  refused([](Options& o) { o.cellSize = -1; }, "the cell size is -1 mm; allowed");
+  refused([](Options& o) { o.cellSize = 0; }, "the cell size is 0 mm; allowed");
+  refused([](Options& o) { o.cellSize = kNan; }, "the cell size is nan mm; allowed");
+  refused([](Options& o) { o.cellSize = HUGE_VAL; }, "the cell size is inf mm; allowed");
+  refused([](Options& o) { o.resolution = 0; }, "the resolution is 0; allowed");
+  refused([](Options& o) { o.resolution = -5; }, "the resolution is -5; allowed");
   refused([](Options& o) { o.tolerance = -1e-3; }, "tolerance");
   refused([](Options& o) { o.offset = kNan; }, "offset");
-  refused([](Options& o) { o.positionFilter = -2; }, "positionFilter");
-  refused([](Options& o) { o.chordTolerance = 0; }, "chordTolerance");
-  refused([](Options& o) { o.weldTolerance = kNan; }, "weldTolerance");
+  refused([](Options& o) { o.positionFilter = -2; }, "the position filter is -2 mm");
+  refused([](Options& o) { o.chordTolerance = 0; }, "the chord tolerance is 0 mm");
+  refused([](Options& o) { o.weldTolerance = kNan; }, "the weld tolerance is nan mm");
 }
 
 TEST(TrajectoryCheck, ChordsUpToACellAndWeldsUpToAHundredthOfTheBody) {
@@ -86,9 +86,9 @@ TEST(TrajectoryCheck, ChordsUpToACellAndWeldsUpToAHundredthOfTheBody) {
     return "";
   };
   EXPECT_EQ(text([&] { chordTolerance(options, 4.5); }),
-            "option chordTolerance = 5; allowed: above 0 mm up to the size of a cell (4.5 mm)");
+            "the chord tolerance is 5 mm; allowed: above 0 mm up to the size of a cell (4.5 mm)");
   EXPECT_EQ(text([&] { weldTolerance(options, 200); }),
-            "option weldTolerance = 3; allowed: 0 mm up to a hundredth of the diagonal of the "
+            "the weld tolerance is 3 mm; allowed: 0 mm up to a hundredth of the diagonal of the "
             "part's bounding box (2 mm)");
 }
 

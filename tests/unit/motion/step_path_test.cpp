@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <random>
+#include <string>
 
 #include "clearance/motion_tree.h"
 #include "motion/refine_motion.h"
@@ -158,6 +159,26 @@ TEST(StepPath, SamplingAndClearanceMoveTheBodyAlike) {
     };
     for (const Placement& placed : motion.placements) expectSame(placed);
     for (const Placement& placed : motion.midpoints) expectSame(placed);
+  }
+}
+
+/// The message gives poses as users count them, the angle, the radius and advice.
+TEST(StepPath, AStepWithTooManyPiecesIsDescribed) {
+  const TriMesh body = makeBox({-1, -1, -1}, {1, 1, 1});
+  Trajectory trajectory{{}, Interpolation::Linear};
+  trajectory.poses.push_back(poseOf(0, placement({0, 0, 1}, 0, {0, 0, 0})));
+  trajectory.poses.push_back(poseOf(2, placement({0, 0, 1}, 90, {0, 0, 0})));
+  RunContext run;
+  try {
+    refineMotion(body, trajectory, 1e-16, run);
+    ADD_FAILURE() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), "ResourceLimit");
+    const std::string text = error.what();
+    for (const char* part : {"between poses 1 and 2 (counted from 1, at 0 s and 2 s)",
+                             "turns by 90 degrees about an axis up to 1.732 mm away",
+                             "more than 4000000 sampled placements; use a larger cell"})
+      EXPECT_NE(text.find(part), std::string::npos) << text;
   }
 }
 

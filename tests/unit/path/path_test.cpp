@@ -161,6 +161,9 @@ TEST(FindPath, BadInputIsNamed) {
   EXPECT_EQ(inside.code, "GoalBlocked");
   EXPECT_NE(inside.message.find("'part 1'"), std::string::npos) << inside.message;
   EXPECT_NE(inside.message.find("0.5 mm deep"), std::string::npos) << inside.message;
+  EXPECT_NE(inside.message.find("; move the part, set a release distance of at least 5."),
+            std::string::npos)
+      << inside.message;
   bad = c;
   bad.start = at(0, -2.5, 0);
   EXPECT_EQ(codeOf(bad, options), "StartBlocked");
@@ -264,6 +267,14 @@ TEST(FindPath, PlacesOnTheWayArePassed) {
     if (next < task.via.size() && (pose.translation - task.via[next].translation).norm() < 1e-9)
       ++next;
   EXPECT_EQ(next, task.via.size());
+  task.via[1] = c.goal;
+  task.via[1].translation.y() += 1.5;  // into a wall
+  const PathReport inside = findPath(c.part, task, neighboursOf(c), optionsOf(c), run);
+  EXPECT_EQ(inside.code, "ViaBlocked");
+  EXPECT_NE(inside.message.find("at pose 2 on the way (via, counted from 1) the part overlaps"),
+            std::string::npos)
+      << inside.message;
+  EXPECT_NE(inside.message.find("move or remove this pose"), std::string::npos) << inside.message;
 }
 
 TEST(FindPath, CancelEndsASearchSoon) {

@@ -252,10 +252,18 @@ TEST(FindSequence, AMotionThatIsGivenIsCheckedAndKept) {
   ASSERT_EQ(wrongWith(p, report), "");
   EXPECT_EQ(report.steps[1].path.method, "given");
   EXPECT_DOUBLE_EQ(report.steps[1].end - report.steps[1].begin, 7);
-  p.parts[1].motion->poses[1].translation.x() = 5;  // through the wall of the shaft
+  p.parts[1].motion->poses[1].translation.x() = 5;  // too near to the wall of the shaft
   const SequenceReport through = solve(p);
   EXPECT_EQ(through.verdict, SequenceVerdict::NotFound);
   EXPECT_EQ(through.steps[1].path.escape.blockers, std::vector<std::string>{"shaft"});
+  const std::string& near = through.steps[1].path.summary;
+  EXPECT_EQ(near.rfind("at t = 6.15 s the part is 0.14", 0), 0u) << near;
+  EXPECT_NE(near.find("mm from 'shaft', but 0.4 mm are required; reduce"), std::string::npos)
+      << near;
+  p.parts[1].motion->poses[1].translation.x() = 20;
+  const std::string deep = solve(p).steps[1].path.summary;
+  EXPECT_NE(deep.find("s the part overlaps 'shaft', "), std::string::npos) << deep;
+  EXPECT_NE(deep.find("mm deep; change the motion there"), std::string::npos) << deep;
   p.options.findOrder = true;
   p.parts[0].motion = p.parts[1].motion;
   EXPECT_EQ(solve(p).verdict, SequenceVerdict::NoOrder);
@@ -335,8 +343,12 @@ TEST(FindSequence, BadInputIsNamed) {
   p = good;
   p.parts[0].task.goal.translation.z() = -2.5;
   EXPECT_EQ(codeOf(p, &message), "PartsIntersect");
-  EXPECT_NE(message.find("'block2' and 'block1' overlap, 1.5 mm deep"), std::string::npos)
+  EXPECT_NE(message.find("'block2' and 'block1' overlap, 1.5 mm deep; move one of the parts, or "
+                         "set a release distance of at least 15.3 mm"),
+            std::string::npos)
       << message;
+  p.options.path.release = 15.3;
+  EXPECT_NE(solve(p).code, "PartsIntersect");
   p = good;
   p.options.path.budgetSeconds = 0;
   EXPECT_EQ(codeOf(p, &message), "BadOption");
@@ -346,9 +358,13 @@ TEST(FindSequence, BadInputIsNamed) {
   EXPECT_NE(message.find("'block1'"), std::string::npos) << message;
   p = good;
   p.parts[0].motion = Trajectory{{Pose{}}};
-  EXPECT_EQ(codeOf(p), "BadPose");
+  EXPECT_EQ(codeOf(p, &message), "BadPose");
+  EXPECT_NE(message.find("has 1 pose, but needs at least 2"), std::string::npos) << message;
   p.parts[0].motion = Trajectory{{Pose{}, Pose{}}};
-  EXPECT_EQ(codeOf(p), "EqualTimes");
+  EXPECT_EQ(codeOf(p, &message), "EqualTimes");
+  EXPECT_NE(message.find("key 2, at 0 s, is not later than the key before it, at 0 s"),
+            std::string::npos)
+      << message;
   p = good;
   p.parts[0].mesh.triangles.clear();
   EXPECT_EQ(codeOf(p, &message), "EmptyMesh");

@@ -23,6 +23,7 @@ TEST(SolidFindings, ADeviationAboveTheToleranceIsInaccurate) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].code, "SolidInaccurate");
   EXPECT_NE(found[0].text.find("0.51 mm"), std::string::npos) << found[0].text;
+  EXPECT_NE(found[0].text.find("such as 0.25 mm"), std::string::npos) << found[0].text;
   EXPECT_TRUE(solidFindings(reportOf(0.5, 0.5), options).empty());
 }
 

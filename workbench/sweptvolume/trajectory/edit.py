@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Edits a list of key poses. Keys copies the lists that it is given, so discarding it discards all
 edits."""
-import bisect
 import math
 import re
 
 import FreeCAD as App
 
+from .. import quantities
 from ..convert import InputProblem
 from ..texts import translate
 from .poses import Poses, at_time, shift_to
@@ -71,17 +71,6 @@ class Keys:
             placement = at_time(self.poses(), interpolation, time)
         return self._put(index + 1, time, placement)
 
-    def insert_at(self, time, interpolation="Linear"):
-        """Adds a key at a time between two others, at the placement that the part has then."""
-        index = bisect.bisect(self.times, time)
-        if not 0 < index < len(self) or time in self.times:
-            raise InputProblem(
-                translate(
-                    "SweptVolume", "There is already a key at this time: choose another time."
-                )
-            )
-        return self._put(index, time, at_time(self.poses(), interpolation, time))
-
     def duplicate(self, index):
         return self.insert_after(index, placement=self.placements[index])
 
@@ -134,13 +123,20 @@ class Keys:
         before = self.times[index - 1] if index else None
         after = self.times[index + 1] if index + 1 < len(self) else None
         if (before is not None and time <= before) or (after is not None and time >= after):
-            raise InputProblem(
-                translate(
+            if before is None:
+                text = translate(
+                    "SweptVolume", "The time of key {0} must be less than {2} s, not {3} s."
+                )
+            elif after is None:
+                text = translate(
+                    "SweptVolume", "The time of key {0} must be more than {1} s, not {3} s."
+                )
+            else:
+                text = translate(
                     "SweptVolume",
-                    "The time of key {0} must lie between the times of the keys before and "
-                    "after it.",
-                ).format(index + 1)
-            )
+                    "The time of key {0} must be more than {1} s and less than {2} s, not {3} s.",
+                )
+            raise InputProblem(text.format(index + 1, *map(_seconds, (before, after, time))))
         self.times[index] = float(time)
 
     def even(self, step):
@@ -148,6 +144,11 @@ class Keys:
         first = self.times[0] if self.times else 0.0
         self.times = [first + k * step for k in range(len(self))]
         self.step = step
+
+
+def _seconds(time):
+    """Returns the number of a time, with enough digits to tell keys apart."""
+    return "" if time is None else quantities.number(time, 9)
 
 
 def rounded(numbers, millimetres, degrees):

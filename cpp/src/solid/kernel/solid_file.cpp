@@ -152,7 +152,11 @@ void writeStepFile(const TopoDS_Shape& shape, std::ostream& out, const std::stri
   text.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
   errno = 0;
   if (!text.Print(out) || !out.flush())
-    fail("WriteFailed", "the STEP file could not be written" + systemReason(errno), &kernel);
+    fail("WriteFailed",
+         (targetName.empty() ? "the solid could not be written as STEP text"
+                             : "the STEP file '" + targetName + "' could not be written") +
+             systemReason(errno) + "; check the free space, or choose another folder",
+         &kernel);
   throwIfCancelled(run);
 }
 

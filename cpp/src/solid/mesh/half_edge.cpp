@@ -39,9 +39,10 @@ void checkNumbers(const TriMesh& mesh) {
   }
   if (found.largest > kMaxLength) {
     refuse("OutOfRange",
-           "vertex " + std::to_string(found.farthest) +
-               " (counted from 0) lies more than 1e9 mm from the origin; check the unit of length, "
-               "or move the mesh closer to the origin");
+           "vertex " + std::to_string(found.farthest) + " (counted from 0) lies " +
+               numberText(found.largest, kTellingDigits) +
+               " mm from the origin, but the limit is 1e9 mm; check the unit of length, or move "
+               "the mesh closer to the origin");
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
