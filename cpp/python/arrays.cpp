@@ -206,6 +206,12 @@ std::string pathFromObject(const py::object& path) {
   return py::bytes(text.attr("encode")("utf-8", "surrogateescape")).cast<std::string>();
 }
 
+py::tuple tupleOf(const py::handle& item, std::size_t size, const char* what) {
+  const auto found = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
+  if (found.size() != size) throw py::value_error(what);
+  return found;
+}
+
 py::object parseJson(const std::string& text) {
   return py::module_::import("json").attr("loads")(text);
 }

@@ -32,6 +32,9 @@ py::tuple trajectoryToArrays(const Trajectory& trajectory);
 /// Converts str, bytes or os.PathLike to UTF-8.
 std::string pathFromObject(const py::object& path);
 
+/// Converts a sequence of `size` objects. Throws py::value_error(what) if it has another size.
+py::tuple tupleOf(const py::handle& item, std::size_t size, const char* what);
+
 /// Parses JSON text to a dict.
 py::object parseJson(const std::string& text);
 

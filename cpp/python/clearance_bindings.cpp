@@ -90,14 +90,6 @@ constexpr const char* kDistanceDoc =
 
 Returns the distance (mm) of each point (N, 3) from a mesh, negative for points inside a closed mesh.)";
 
-/// Returns the report of a successful run as a dict. Raises an error if the run failed.
-template <class Report>
-py::object foundOf(const Report& report) {
-  py::object found = parseJson(toJson(report));
-  if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
-  return found;
-}
-
 py::object pyClearance(const py::object& vertices, const py::object& triangles,
                        const py::object& motion, const py::iterable& neighbours,
                        const std::string& interpolation, double required, double tolerance,
@@ -133,8 +125,7 @@ std::vector<std::string> pyFirstContacts(const py::object& vertices, const py::o
   options.bodyChordError = bodyChord;
   const ClearanceReport report = runWithoutLock(
       *context, [&] { return firstContacts(body, trajectory, parts, options, *context); });
-  if (report.status != Status::Ok)
-    raise(report.status, report.code, report.message, parseJson(toJson(report)));
+  foundOf(report);
   std::vector<std::string> rules;
   for (const NeighbourClearance& row : report.neighbours) rules.push_back(ruleText(row.rule));
   return rules;
@@ -151,10 +142,8 @@ std::vector<std::string> pyRulesFor(const std::vector<std::string>& rules,
 }
 
 MechanismPart mechanismPartFrom(const py::handle& item) {
-  const py::tuple part = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
-  if (part.size() != 6)
-    throw py::value_error(
-        "a part must be (name, vertices, triangles, motion, interpolation, chord_error)");
+  const py::tuple part = tupleOf(
+      item, 6, "a part must be (name, vertices, triangles, motion, interpolation, chord_error)");
   const py::object motion = part[3];
   return {part[0].cast<std::string>(), meshFromArrays(part[1], part[2]),
           motion.is_none() ? Trajectory{{Pose{}}}

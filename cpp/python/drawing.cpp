@@ -26,11 +26,8 @@ each triangle.)";
 py::tuple pyDrawable(const py::object& vertices, const py::object& triangles, std::size_t most,
                      double crease) {
   const TriMesh mesh = meshFromArrays(vertices, triangles);
-  auto made = std::make_shared<Drawable>();
-  {
-    const py::gil_scoped_release release;
-    *made = drawableOf(mesh, std::max<std::size_t>(most, 1), crease);
-  }
+  const auto made = std::make_shared<Drawable>(
+      withoutLock([&] { return drawableOf(mesh, std::max<std::size_t>(most, 1), crease); }));
   const auto count = static_cast<py::ssize_t>(made->points.size());
   const auto* points = reinterpret_cast<const float*>(made->points.data());
   const auto* normals = reinterpret_cast<const float*>(made->normals.data());
@@ -41,12 +38,7 @@ py::tuple pyDrawable(const py::object& vertices, const py::object& triangles, st
 
 py::bytes pyMeshFile(const py::object& vertices, const py::object& triangles) {
   const TriMesh mesh = meshFromArrays(vertices, triangles);
-  std::string bytes;
-  {
-    const py::gil_scoped_release release;
-    bytes = freecadMesh(mesh);
-  }
-  return bytes;
+  return withoutLock([&] { return freecadMesh(mesh); });
 }
 
 }  // namespace

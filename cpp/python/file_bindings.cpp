@@ -33,12 +33,8 @@ py::list findingsToList(const std::vector<Finding>& findings) {
 Mesh pyReadMesh(const py::object& path, const std::string& unit) {
   const std::string name = pathFromObject(path);
   const double scale = parseLengthUnit(unit);
-  auto mesh = std::make_shared<TriMesh>();
-  {
-    const py::gil_scoped_release release;
-    *mesh = readMesh(name, scale);
-  }
-  return {mesh, 0, py::list()};
+  TriMesh mesh = withoutLock([&] { return readMesh(name, scale); });
+  return {std::make_shared<const TriMesh>(std::move(mesh)), 0, py::list()};
 }
 
 Mesh pyReadBody(const py::object& path, const std::string& unit,
@@ -103,12 +99,8 @@ void pyWriteMesh(const py::object& path, const py::object& vertices, const py::o
 py::tuple pyReadTrajectory(const py::object& path, const std::string& unit) {
   const std::string name = pathFromObject(path);
   const double scale = parseLengthUnit(unit);
-  Trajectory trajectory;
-  {
-    const py::gil_scoped_release release;
-    trajectory = readTrajectoryCsv(name, scale, Interpolation::None);
-  }
-  return trajectoryToArrays(trajectory);
+  return trajectoryToArrays(
+      withoutLock([&] { return readTrajectoryCsv(name, scale, Interpolation::None); }));
 }
 
 /// Returns the quaternions and translations nearest to the given rigid matrices.

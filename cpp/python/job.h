@@ -16,6 +16,14 @@
 
 namespace swept::python {
 
+/// Returns job(), computed without the interpreter lock. For short calls, which cannot be
+/// cancelled.
+template <class Job>
+auto withoutLock(const Job& job) {
+  const pybind11::gil_scoped_release release;
+  return job();
+}
+
 template <class Job>
 auto runWithoutLock(RunContext& run, Job job) -> decltype(job()) {
   namespace py = pybind11;

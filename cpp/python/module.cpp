@@ -126,11 +126,7 @@ Options optionsFrom(const py::kwargs& keywords, RunContext& run) {
 }
 
 ComputeResult resultOrRaise(const std::shared_ptr<const Result>& result) {
-  const py::object report = parseJson(toJson(result->report));
-  if (result->report.status != Status::Ok) {
-    raise(result->report.status, result->report.code, result->report.message, report);
-  }
-  return {result, report};
+  return {result, foundOf(result->report)};
 }
 
 ComputeResult pyCompute(const py::object& vertices, const py::object& triangles,

@@ -20,12 +20,6 @@ inputs: list of (role, name, detail, sha256). parts, for the 3D view: list of (n
 interpolation, moves, translucent), with motion as in compute() or None. pictures: list of (caption, media
 type, bytes). Lengths are in mm. Raises InvalidInput (code BadReport, BadTemplate or BadOption), Cancelled.)";
 
-py::tuple tupleOf(const py::handle& item, std::size_t size, const char* what) {
-  const auto found = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
-  if (found.size() != size) throw py::value_error(what);
-  return found;
-}
-
 PageInput inputFrom(const py::handle& item) {
   const py::tuple found = tupleOf(item, 4, "an input must be (role, name, detail, sha256)");
   return {found[0].cast<std::string>(), found[1].cast<std::string>(), found[2].cast<std::string>(),

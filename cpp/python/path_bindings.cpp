@@ -129,11 +129,7 @@ std::unique_ptr<LiveClearance> makeLive(const py::object& vertices, const py::ob
 
 py::tuple pyLiveAt(LiveClearance& live, const py::object& pose) {
   const Pose at = poseFrom(pose, "pose");
-  LiveDistance found;
-  {
-    const py::gil_scoped_release release;
-    found = live.at(at);
-  }
+  const LiveDistance found = withoutLock([&] { return live.at(at); });
   return py::make_tuple(found.neighbour, found.distance, found.inside, asTuple(found.pointOnPart),
                         asTuple(found.pointOnNeighbour));
 }
@@ -141,12 +137,7 @@ py::tuple pyLiveAt(LiveClearance& live, const py::object& pose) {
 py::array pyLiveReached(LiveClearance& live, const py::object& from, const py::object& to,
                         double apart) {
   const Pose a = poseFrom(from, "from_pose"), b = poseFrom(to, "to_pose");
-  Pose found;
-  {
-    const py::gil_scoped_release release;
-    found = live.reached(a, b, apart);
-  }
-  return matrixFrom(found);
+  return matrixFrom(withoutLock([&] { return live.reached(a, b, apart); }));
 }
 
 py::object pyFarthest(const PathWatch& watch) {
@@ -171,8 +162,7 @@ PathOptions optionsFrom(double clearance, double release, bool translationOnly,
 }
 
 py::tuple answerOf(const PathReport& report) {
-  const py::object found = parseJson(toJson(report));
-  if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
+  const py::object found = foundOf(report);
   if (report.verdict != PathVerdict::Found) return py::make_tuple(found, py::none());
   return py::make_tuple(found, trajectoryToArrays(report.path));
 }
@@ -219,11 +209,10 @@ py::tuple pyImprovePath(const py::object& vertices, const py::object& triangles,
 }
 
 SequencePart sequencePartFrom(const py::handle& item) {
-  const py::tuple given = py::reinterpret_borrow<py::object>(item).cast<py::tuple>();
-  if (given.size() != 10)
-    throw py::value_error(
-        "a part must be (name, vertices, triangles, chord_error, goal, start, extract, via, "
-        "motion, interpolation)");
+  const py::tuple given =
+      tupleOf(item, 10,
+              "a part must be (name, vertices, triangles, chord_error, goal, start, extract, via, "
+              "motion, interpolation)");
   SequencePart part{given[0].cast<std::string>(),
                     meshFromArrays(given[1], given[2]),
                     given[3].cast<double>(),
@@ -261,8 +250,7 @@ py::tuple pyFindSequence(const py::iterable& list, const py::iterable& still,
     options.rules.push_back({first, second, parseRule(text)});
   const SequenceReport report = runWithoutLock(
       *context, [&] { return findSequence(parts, stillParts, options, *context, watch); });
-  const py::object found = parseJson(toJson(report));
-  if (report.status != Status::Ok) raise(report.status, report.code, report.message, found);
+  const py::object found = foundOf(report);
   if (report.verdict != SequenceVerdict::Found) return py::make_tuple(found, py::none());
   py::list motions;
   for (const Trajectory& motion : report.timeline) motions.append(trajectoryToArrays(motion));

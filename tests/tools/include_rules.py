@@ -52,7 +52,7 @@ MAY_INCLUDE = {
     # Makes a page from a report. The shapes for it are thinned through a public header.
     "page": {"base", "geometry", "motion"},
     "solid/carrier": BELOW,
-    # Surfaces that the edges and faces of a moving body sweep.
+    # B-spline surfaces through exact points, and the motion of a body at one time.
     "solid/sweep": BELOW | {"solid/carrier"},
     "solid/mesh": BELOW | {"solid/carrier", "simplify"},
     "solid/recognise": BELOW | {"solid/carrier", "solid/mesh"},
@@ -64,7 +64,7 @@ MAY_INCLUDE = {
     | {f"solid/{r}" for r in "carrier mesh recognise model text assemble".split()},
     "solid": BELOW
     | {"simplify"}
-    | {f"solid/{r}" for r in "carrier sweep mesh recognise model text".split()},
+    | {f"solid/{r}" for r in "carrier mesh recognise model text".split()},
     "pipeline": BELOW | STAGES | SAMPLERS | {"sampling/culling", "contour/mend"},
     "python": {"base", "io"},  # besides the public headers
     "tools": {"base", "io"},
@@ -80,7 +80,6 @@ EVERYWHERE = {room.split("/")[0] for room in MAY_INCLUDE}
 THIRD_PARTIES = [
     (re.compile(r"Eigen/"), EVERYWHERE, "Eigen"),
     (re.compile(r"tbb/|oneapi/"), EVERYWHERE - {"include", "python", "tools"}, "TBB"),
-    (re.compile(r"OpenMesh/"), {"io", "geometry", "simplify"}, "OpenMesh"),
     (re.compile(r"zlib\.h|lzma\.h|minizip/"), {"io"}, "zlib, minizip and lzma"),
     # Reports are JSON; the base has the common part of them.
     (re.compile(r"nlohmann/"), {"base"}, "nlohmann-json"),

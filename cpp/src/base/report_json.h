@@ -33,4 +33,12 @@ Json reportJson(const Report& report, const char* command = "envelope");
 /// null for numbers that are not finite. The text is the same on every machine and in every locale.
 std::string jsonText(const Json& json);
 
+/// Adds what ends the reports of most commands, and returns the text.
+template <class AnyReport>
+std::string finishedText(Json json, const AnyReport& report) {
+  json["seconds"] = secondsJson(report.seconds);
+  json["warnings"] = findingsJson(report.warnings);
+  return jsonText(json);
+}
+
 }  // namespace swept

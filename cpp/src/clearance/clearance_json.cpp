@@ -77,9 +77,7 @@ std::string toJson(const ClearanceReport& report) {
   if (report.smallest) json["smallest"] = *report.smallest;
   if (!report.ignored.empty()) json["ignored"] = report.ignored;
   json["neighbours"] = std::move(rows);
-  json["seconds"] = secondsJson(report.seconds);
-  json["warnings"] = findingsJson(report.warnings);
-  return jsonText(json);
+  return finishedText(std::move(json), report);
 }
 
 }  // namespace swept

@@ -46,9 +46,7 @@ std::string toJson(const MechanismReport& report) {
   Json pairs = Json::array();
   for (const PairClearance& pair : report.pairs) pairs.push_back(pairJson(report, pair));
   json["pairs"] = std::move(pairs);
-  json["seconds"] = secondsJson(report.seconds);
-  json["warnings"] = findingsJson(report.warnings);
-  return jsonText(json);
+  return finishedText(std::move(json), report);
 }
 
 }  // namespace swept

@@ -19,7 +19,6 @@ struct LayerPolygons {
   std::vector<std::uint32_t> crossingOf;
   std::vector<Eigen::Vector3d> extra;  // positions in grid coordinates
   std::vector<double> extraTime;
-  std::int64_t fans = 0;
 };
 
 constexpr std::int32_t kExtra = 0x40000000;
@@ -149,7 +148,6 @@ class LayerEmitter {
       const auto centre = kExtra + static_cast<std::int32_t>(out.extra.size());
       out.extra.push_back(positionOfCrossing(grid_, {axis, i, j, edge.k}, crossing));
       out.extraTime.push_back(grid_.crossings[crossing].timeSeconds);
-      ++out.fans;
       for (int p = 0; p < n; ++p) triangle(centre, ring[p], ring[(p + 1) % n]);
     }
   }
@@ -228,8 +226,6 @@ class SurfaceAssembler {
 
   Surface assemble(const FacePoints& facePoints, const std::vector<Triangle>& rim) {
     const std::size_t dualVertices = dual_.firstVertex.back();
-    surface_.facePoints = static_cast<std::int64_t>(facePoints.points.size());
-    surface_.rimPolygons = static_cast<std::int64_t>(dual_.rims.size());
     surface_.dualVertices = dualVertices;
     count(dualVertices + facePoints.points.size());
     allocate(triangleCount_ + rim.size());
@@ -255,7 +251,6 @@ class SurfaceAssembler {
       triangleBase_[i] = triangleCount_;
       vertexCount_ += parts_[i].extra.size();
       triangleCount_ += parts_[i].triangles.size();
-      surface_.fans += parts_[i].fans;
     }
     if (vertexCount_ >= static_cast<std::size_t>(kExtra)) {
       throw Error(Status::ResourceLimit, "ResourceLimit",

@@ -47,9 +47,6 @@ struct Surface {
   }
   /// The vertices that mending has moved or added, in ascending order.
   std::vector<std::int32_t> mended;
-  std::int64_t fans = 0;         ///< quads cut into fans about their crossing
-  std::int64_t facePoints = 0;   ///< vertices added on cell faces
-  std::int64_t rimPolygons = 0;  ///< polygons that close the ends of thin walls
 };
 
 /// Contours the grid without changing it. For `probe`, see buildDualSurface().

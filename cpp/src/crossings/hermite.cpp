@@ -46,13 +46,11 @@ HermiteGrid buildHermiteGrid(const GridPlan& grid, const MarkedEdges& marked, co
   out.plan = grid;
   out.layers.resize(layers);
   std::vector<std::uint64_t> counts(layers, 0);
-  std::atomic<std::int64_t> markedCount{0};
   parallelFor(layers, [&](std::size_t layer) {
     const auto i = static_cast<std::int32_t>(layer);
     HermiteLayer& target = out.layers[layer];
     std::uint32_t crossings = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      markedCount += static_cast<std::int64_t>(marked.layers[layer].edges[axis].size());
       auto& start = target.columnStart[axis];
       start.assign(grid.points[1] + 1, 0);
       forContributing(marked, signs, grid, i, axis,
@@ -65,7 +63,6 @@ HermiteGrid buildHermiteGrid(const GridPlan& grid, const MarkedEdges& marked, co
     }
     counts[layer] = crossings;
   });
-  out.markedEdges = markedCount;
   const std::uint64_t total = exclusiveScan(counts);
   if (total > 0xfffffff0u) {
     throw Error(Status::ResourceLimit, "ResourceLimit",

@@ -47,7 +47,6 @@ struct HermiteGrid {
   std::vector<std::uint32_t> winner;  ///< per crossing: index of its swept element
   /// Per crossing: its time in double (s). Empty unless ExactTimes::Kept was requested.
   std::vector<double> exactSeconds;
-  std::int64_t markedEdges = 0;
   std::int64_t sheetEdges = 0;  ///< edges that cross a sheet: both crossings are one point
 };
 

@@ -60,9 +60,7 @@ std::string toJson(const PathReport& report) {
   json["body_triangles"] = report.bodyTriangles;
   json["neighbour_triangles"] = report.neighbourTriangles;
   json["threads"] = report.threads;
-  json["seconds"] = secondsJson(report.seconds);
-  json["warnings"] = findingsJson(report.warnings);
-  return jsonText(json);
+  return finishedText(std::move(json), report);
 }
 
 }  // namespace swept

@@ -55,9 +55,7 @@ std::string toJson(const SequenceReport& report) {
   json["moves"] = report.moves;
   json["triangles"] = report.triangles;
   json["threads"] = report.threads;
-  json["seconds"] = secondsJson(report.seconds);
-  json["warnings"] = findingsJson(report.warnings);
-  return jsonText(json);
+  return finishedText(std::move(json), report);
 }
 
 }  // namespace swept

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <queue>
 #include <set>
 
@@ -28,6 +27,8 @@ bool within(const SearchSpace& space, const State& state) {
   return (state.middle.array() >= space.low.array()).all() &&
          (state.middle.array() <= space.high.array()).all();
 }
+
+}  // namespace
 
 // Best-first search over one grid. The next placement is the one with the smallest sum of the
 // length of the path so far and the straight distance to the start.
@@ -116,6 +117,8 @@ class GridSearch {
   std::map<Cell, Cell> closed_;
 };
 
+namespace {
+
 // Returns whether the part is blocked at each placement in the cube around `middle`.
 bool blocked(const Scene& scene, const Rule& rule, const State& middle, double halfDiagonal) {
   const Eigen::Matrix3d R = middle.pose.rotation.toRotationMatrix();
@@ -135,67 +138,40 @@ bool blocked(const Scene& scene, const Rule& rule, const State& middle, double h
 
 }  // namespace
 
-class ShiftSearch::Grids {
- public:
-  Grids(const Scene& scene, const Rule& rule, const SearchSpace& space,
-        const std::vector<State>& starts, const std::vector<State>& goals, int maxPlacements)
-      : scene_(scene),
-        rule_(rule),
-        space_(space),
-        starts_(starts),
-        goals_(goals),
-        maxPlacements_(maxPlacements),
-        memory_(scene.memory()),
-        farthest_(goals.front()) {}
-
-  void advance(int count, const RunContext& run) {
-    while (count > 0 && !isOver() && !run.isCancelled()) {
-      if (!grid_) begin();
-      path_ = grid_->search(count, run);
-      if (!path_.empty() || !grid_->isOver()) continue;
-      grid_.reset();
-      ++number_;
-    }
-  }
-  bool isOver() const {
-    return !path_.empty() || number_ >= starts_.size() * goals_.size() * kWidths.size();
-  }
-  const std::vector<State>& path() const { return path_; }
-  const Memory& memory() const { return memory_; }
-  const State& farthest() const { return farthest_; }
-
- private:
-  void begin() {
-    const std::size_t pair = number_ / kWidths.size();
-    grid_.emplace(scene_, rule_, space_, starts_[pair / goals_.size()],
-                  goals_[pair % goals_.size()], kWidths[number_ % kWidths.size()] * scene_.radius(),
-                  maxPlacements_, memory_, farthest_);
-  }
-
-  const Scene& scene_;
-  const Rule& rule_;
-  const SearchSpace& space_;
-  const std::vector<State>& starts_;
-  const std::vector<State>& goals_;
-  const int maxPlacements_;
-  Memory memory_;
-  State farthest_;
-  std::size_t number_ = 0;  ///< number of the present grid
-  std::optional<GridSearch> grid_;
-  std::vector<State> path_;
-};
-
 ShiftSearch::ShiftSearch(const Scene& scene, const Rule& rule, const SearchSpace& space,
                          const std::vector<State>& starts, const std::vector<State>& goals,
                          int maxPlacements)
-    : grids_(std::make_unique<Grids>(scene, rule, space, starts, goals, maxPlacements)) {}
+    : scene_(scene),
+      rule_(rule),
+      space_(space),
+      starts_(starts),
+      goals_(goals),
+      maxPlacements_(maxPlacements),
+      memory_(scene.memory()),
+      farthest_(goals.front()) {}
+
 ShiftSearch::~ShiftSearch() = default;
-ShiftSearch::ShiftSearch(ShiftSearch&&) noexcept = default;
-void ShiftSearch::advance(int count, const RunContext& run) { grids_->advance(count, run); }
-const std::vector<State>& ShiftSearch::path() const { return grids_->path(); }
-bool ShiftSearch::isOver() const { return grids_->isOver(); }
-const Memory& ShiftSearch::memory() const { return grids_->memory(); }
-const State& ShiftSearch::farthest() const { return grids_->farthest(); }
+
+void ShiftSearch::advance(int count, const RunContext& run) {
+  while (count > 0 && !isOver() && !run.isCancelled()) {
+    if (!grid_) begin();
+    path_ = grid_->search(count, run);
+    if (!path_.empty() || !grid_->isOver()) continue;
+    grid_.reset();
+    ++number_;
+  }
+}
+
+bool ShiftSearch::isOver() const {
+  return !path_.empty() || number_ >= starts_.size() * goals_.size() * kWidths.size();
+}
+
+void ShiftSearch::begin() {
+  const std::size_t pair = number_ / kWidths.size();
+  grid_ = std::make_unique<GridSearch>(
+      scene_, rule_, space_, starts_[pair / goals_.size()], goals_[pair % goals_.size()],
+      kWidths[number_ % kWidths.size()] * scene_.radius(), maxPlacements_, memory_, farthest_);
+}
 
 bool provesNoTranslation(const Scene& scene, const Rule& rule, const SearchSpace& space,
                          const State* start, const State& goal, int maxPlacements,

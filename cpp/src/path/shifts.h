@@ -25,6 +25,8 @@
 
 namespace swept::path {
 
+class GridSearch;
+
 /// Searches grids of placements for each pair of a start and a goal, one grid after the other. The
 /// search can be continued step by step, in parallel to other searches.
 class ShiftSearch {
@@ -33,21 +35,31 @@ class ShiftSearch {
   ShiftSearch(const Scene& scene, const Rule& rule, const SearchSpace& space,
               const std::vector<State>& starts, const std::vector<State>& goals, int maxPlacements);
   ~ShiftSearch();
-  ShiftSearch(ShiftSearch&&) noexcept;
 
   /// Examines up to `count` more placements; fewer if the run is cancelled.
   void advance(int count, const RunContext& run);
   /// Returns the keys from a start to a goal. Empty: no path is found yet.
-  const std::vector<State>& path() const;
+  const std::vector<State>& path() const { return path_; }
   /// Returns true if all grids are searched or a path is found.
   bool isOver() const;
-  const Memory& memory() const;
+  const Memory& memory() const { return memory_; }
   /// Returns the farthest placement from which free moves lead to a goal.
-  const State& farthest() const;
+  const State& farthest() const { return farthest_; }
 
  private:
-  class Grids;
-  std::unique_ptr<Grids> grids_;
+  void begin();
+
+  const Scene& scene_;
+  const Rule& rule_;
+  const SearchSpace& space_;
+  const std::vector<State>& starts_;
+  const std::vector<State>& goals_;
+  const int maxPlacements_;
+  Memory memory_;
+  State farthest_;
+  std::size_t number_ = 0;  ///< number of the present grid
+  std::unique_ptr<GridSearch> grid_;
+  std::vector<State> path_;
 };
 
 /// Returns true only if it is proven that no path without turning leads from the goal to the start.

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "base/system.h"
+#include "io/input_file.h"
 #include "swept/io.h"
 
 namespace swept::cli {
@@ -49,10 +50,6 @@ bool areSame(const std::string& a, const std::string& b) {
   if (fs::is_character_file(status) || fs::is_socket(status)) return false;
   if (fs::equivalent(pathFromUtf8(a), pathFromUtf8(b), code) && !code) return true;
   return resolved(a) == resolved(b);
-}
-
-[[noreturn]] void badFile(const std::string& text) {
-  throw Error(Status::InvalidInput, "BadFile", text);
 }
 
 [[noreturn]] void failedOutput() {

@@ -32,6 +32,14 @@ double numberOf(const std::string& name, const std::string& text) {
   return number;
 }
 
+std::vector<double> numbersOf(const std::string& name, const std::string& text) {
+  std::vector<double> numbers;
+  std::istringstream fields(text);
+  for (std::string field; std::getline(fields, field, ',');)
+    numbers.push_back(numberOf(name, field));
+  return numbers;
+}
+
 void badOption(const std::string& text) { throw Error(Status::InvalidInput, "BadOption", text); }
 
 CLI::Option* addConverted(CLI::App& app, const std::string& names, const std::string& kind,
@@ -111,10 +119,7 @@ CLI::Option* addPoint(CLI::App& app, const std::string& names, Eigen::Vector3d& 
   return addConverted(
       app, names, "X,Y,Z",
       [names, &target](const std::string& text) {
-        std::istringstream parts(text);
-        std::vector<double> numbers;
-        for (std::string part; std::getline(parts, part, ',');)
-          numbers.push_back(numberOf(names, part));
+        const std::vector<double> numbers = numbersOf(names, text);
         if (numbers.size() != 3)
           badOption(names + " is '" + text + "'; expected three numbers in mm, such as 10,0,2.5");
         target = {numbers[0], numbers[1], numbers[2]};

@@ -50,6 +50,8 @@ CLI::Option* addInteger(CLI::App& app, const std::string& names, std::optional<T
 void addWords(CLI::App& app, const std::string& name, int count, const std::string& kind,
               std::vector<std::string>& words, const std::string& about);
 double numberOf(const std::string& name, const std::string& text);
+/// Returns numbers that are separated by commas.
+std::vector<double> numbersOf(const std::string& name, const std::string& text);
 /// Adds an option for three numbers separated by commas.
 CLI::Option* addPoint(CLI::App& app, const std::string& names, Eigen::Vector3d& target,
                       const std::string& about);

@@ -8,17 +8,6 @@
 #include <vector>
 
 namespace swept::cli {
-namespace {
-
-std::vector<double> numbersOf(const std::string& name, const std::string& text) {
-  std::vector<double> numbers;
-  std::istringstream fields(text);
-  for (std::string field; std::getline(fields, field, ',');)
-    numbers.push_back(numberOf(name, field));
-  return numbers;
-}
-
-}  // namespace
 
 Pose placementOf(const std::string& name, const std::string& text) {
   const std::vector<double> n = numbersOf(name, text);

@@ -49,42 +49,22 @@ Knots::Basis Knots::basis(double t) const {
   const int p = degree_;
   const auto inner = flat_.begin() + p + 1, last = flat_.end() - p - 1;
   const auto span = static_cast<std::size_t>(std::upper_bound(inner, last, t) - flat_.begin()) - 1;
-  // Basis functions in the upper triangle, knot differences in the lower one.
-  std::array<std::array<double, kMaxDegree + 1>, kMaxDegree + 1> ndu{};
+  Basis result;
+  result.first = span - p;
+  // Raises the degree from 0 to p. In step j, value[r] is a function of degree j.
+  std::array<double, kMaxDegree + 1>& value = result.value;
   std::array<double, kMaxDegree + 1> left{}, right{};
-  ndu[0][0] = 1;
+  value[0] = 1;
   for (int j = 1; j <= p; ++j) {
     left[j] = t - flat_[span + 1 - j];
     right[j] = flat_[span + j] - t;
     double saved = 0;
     for (int r = 0; r < j; ++r) {
-      ndu[j][r] = right[r + 1] + left[j - r];
-      const double part = ndu[r][j - 1] / ndu[j][r];
-      ndu[r][j] = saved + right[r + 1] * part;
+      const double part = value[r] / (right[r + 1] + left[j - r]);
+      value[r] = saved + right[r + 1] * part;
       saved = left[j - r] * part;
     }
-    ndu[j][j] = saved;
-  }
-  Basis result;
-  result.first = span - p;
-  for (int r = 0; r <= p; ++r) {
-    result.value[0][r] = ndu[r][p];
-    // lower() returns a basis function of degree p - order, over() the reciprocal of a knot
-    // difference. Both return 0 if the index i is out of range.
-    const auto lower = [&](int order, int i) {
-      return i < 0 || i > p - order ? 0.0 : ndu[i][p - order];
-    };
-    const auto over = [&](int order, int i) {
-      return i < 0 || i > p - order ? 0.0 : 1 / ndu[p - order + 1][i];
-    };
-    if (p < 1) continue;
-    result.value[1][r] = p * (lower(1, r - 1) * over(1, r - 1) - lower(1, r) * over(1, r));
-    if (p < 2) continue;
-    const auto first = [&](int i) {  // derivative of the i-th function of degree p - 1
-      if (i < 0 || i > p - 1) return 0.0;
-      return (p - 1) * (lower(2, i - 1) * over(2, i - 1) - lower(2, i) * over(2, i));
-    };
-    result.value[2][r] = p * (first(r - 1) * over(1, r - 1) - first(r) * over(1, r));
+    value[j] = saved;
   }
   return result;
 }
@@ -108,17 +88,16 @@ Interpolator::Interpolator(const Knots& knots) {
   for (Eigen::Index i = 0; i < count; ++i) {
     const Knots::Basis basis = knots.basis(sites[i]);
     for (int k = 0; k <= knots.degree(); ++k)
-      matrix(i, static_cast<Eigen::Index>(basis.first) + k) = basis.value[0][k];
+      matrix(i, static_cast<Eigen::Index>(basis.first) + k) = basis.value[k];
   }
   solver_.compute(matrix);
 }
 
-Eigen::RowVectorXd valueOf(const Knots& knots, const Eigen::MatrixXd& poles, double t,
-                           int derivative) {
+Eigen::RowVectorXd valueOf(const Knots& knots, const Eigen::MatrixXd& poles, double t) {
   const Knots::Basis basis = knots.basis(t);
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(poles.cols());
   for (int k = 0; k <= knots.degree(); ++k)
-    sum += basis.value[derivative][k] * poles.row(static_cast<Eigen::Index>(basis.first) + k);
+    sum += basis.value[k] * poles.row(static_cast<Eigen::Index>(basis.first) + k);
   return sum;
 }
 

@@ -30,11 +30,10 @@ struct Range {
 class Knots {
  public:
   static constexpr int kMaxDegree = 9;
-  /// The basis functions that are not zero at one parameter, with their first two derivatives.
-  /// value[order][i] is the derivative of this order of the function of pole first + i.
+  /// The basis functions that are not zero at one parameter: value[i] is that of pole first + i.
   struct Basis {
     std::size_t first = 0;
-    std::array<std::array<double, kMaxDegree + 1>, 3> value{};
+    std::array<double, kMaxDegree + 1> value{};
   };
 
   Knots() = default;
@@ -68,9 +67,8 @@ class Interpolator {
   Eigen::PartialPivLU<Eigen::MatrixXd> solver_;
 };
 
-/// Returns the value of a spline at t, or its first or second derivative. `poles`: one per row.
-Eigen::RowVectorXd valueOf(const Knots& knots, const Eigen::MatrixXd& poles, double t,
-                           int derivative = 0);
+/// Returns the value of a spline at t. `poles`: one per row.
+Eigen::RowVectorXd valueOf(const Knots& knots, const Eigen::MatrixXd& poles, double t);
 
 /// Returns the exact values of several curves at a parameter, in one row.
 using ExactRow = std::function<Eigen::RowVectorXd(double)>;

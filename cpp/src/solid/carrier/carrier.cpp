@@ -7,8 +7,8 @@
 namespace swept::step {
 
 const char* surfaceKindName(CarrierKind kind) {
-  constexpr std::array<const char*, 9> kNames{"facet", "plane",     "cylinder",   "cone", "sphere",
-                                              "torus", "extrusion", "revolution", "sheet"};
+  constexpr std::array<const char*, 8> kNames{"facet",  "plane", "cylinder",  "cone",
+                                              "sphere", "torus", "extrusion", "revolution"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -56,19 +56,12 @@ double Carrier::distance(const Eigen::Vector3d& p) const {
     case CarrierKind::Revolution:
       value = profile->distance(inProfile(p));
       break;
-    case CarrierKind::Sheet:
-      value = sheet->distance(p);
-      break;
   }
   return reversed ? -value : value;
 }
 
 Eigen::Vector3d Carrier::normal(const Eigen::Vector3d& p) const {
   if (isPlanar()) return axis;
-  if (kind == CarrierKind::Sheet) {
-    const Eigen::Vector3d along = sheet->normal(p);
-    return reversed ? Eigen::Vector3d(-along) : along;
-  }
   const Eigen::Vector3d d = p - point;
   const double along = d.dot(axis);
   Eigen::Vector3d radial = d - along * axis;

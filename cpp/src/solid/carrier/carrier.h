@@ -1,7 +1,7 @@
 // Carrier: the unbounded surface on which a face lies. Carriers are elementary surfaces,
-// extrusions, revolutions and free-form sheets. They have a signed distance and an outward normal.
+// extrusions and revolutions. They have a signed distance and an outward normal.
 // Units:   mm, rad. The distance is exact (not algebraic) and positive on the side of `normal`.
-// Cost:    O(1) per query; a sheet takes O(samples).
+// Cost:    O(1) per query.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -10,22 +10,13 @@
 #include <memory>
 
 #include "solid/carrier/profile.h"
-#include "solid/carrier/sheet.h"
 
 namespace swept::step {
 
-enum class CarrierKind {
-  Facet,
-  Plane,
-  Cylinder,
-  Cone,
-  Sphere,
-  Torus,
-  Extrusion,
-  Revolution,
-  Sheet
-};
+enum class CarrierKind { Facet, Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Revolution };
 const char* surfaceKindName(CarrierKind kind);
+/// The name of faces on free-form surfaces (sheet.h), which are no carriers.
+constexpr const char* kSheetName = "sheet";
 
 struct Carrier {
   CarrierKind kind = CarrierKind::Facet;
@@ -42,16 +33,13 @@ struct Carrier {
   double halfAngle = 0;
   double cosine = 1, sine = 0;  ///< cosine and sine of halfAngle
   /// True if the material lies outside (a bore). The outward normal then points towards the axis or
-  /// centre. The outward normal of a sheet is then opposite to S_u x S_t (sheet.h).
+  /// centre.
   bool reversed = false;
   /// The curve that generates the surface; outward is to the right of it. The profile of an
   /// extrusion lies in the plane through `point` perpendicular to the axis. Its coordinates are
   /// along xdir and axis x xdir. The profile of a revolution lies in the half plane of xdir. Its
   /// coordinates are the distance from the axis and the position along the axis.
   std::shared_ptr<const Profile> profile;
-  /// The surface of a carrier of kind Sheet; null for other kinds. With it, only the fields `kind`
-  /// and `reversed` above are used.
-  std::shared_ptr<const Sheet> sheet;
 
   bool isPlanar() const { return kind == CarrierKind::Facet || kind == CarrierKind::Plane; }
   bool hasProfile() const { return profile != nullptr; }

@@ -29,11 +29,6 @@ double lengthScale(const Carrier& s) {
     case CarrierKind::Extrusion:
     case CarrierKind::Revolution:
       return s.profile->length() / (2 * M_PI);
-    case CarrierKind::Sheet: {
-      Eigen::AlignedBox3d box;
-      for (const Vector3d& pole : s.sheet->poles()) box.extend(pole);
-      return box.diagonal().norm() / (2 * M_PI);
-    }
     default:
       return 1e300;
   }
@@ -181,7 +176,7 @@ Vector3d Curve::at(double t) const {
   if (degree != 3 || joints != 2) {
     const Knots::Basis basis = Knots(degree, knots, joints).basis(t);
     Vector3d sum = Vector3d::Zero();
-    for (int k = 0; k <= degree; ++k) sum += basis.value[0][k] * poles[basis.first + k];
+    for (int k = 0; k <= degree; ++k) sum += basis.value[k] * poles[basis.first + k];
     return sum;
   }
   std::size_t i = 0;

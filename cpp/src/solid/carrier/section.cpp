@@ -3,10 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
-
-#include "solid/carrier/fit_spline.h"
 
 namespace swept::step {
 namespace {
@@ -166,51 +163,6 @@ std::optional<Curve> cutProfile(const std::vector<Vector3d>& along, const Carrie
   return curve;
 }
 
-// Returns the point near p that lies on both carriers and in the plane dir.(x - base) = height.
-// Returns NaN if the iteration does not converge.
-Vector3d pointInSlice(Vector3d p, const Carrier& a, const Carrier& b, const Vector3d& dir,
-                      const Vector3d& base, double height) {
-  for (int round = 0; round < 20; ++round) {
-    Eigen::Matrix3d rows;
-    rows << a.normal(p).transpose(), b.normal(p).transpose(), dir.transpose();
-    if (!(std::abs(rows.determinant()) > 0.1 * kMinSine)) break;
-    const Vector3d off(a.distance(p), b.distance(p), dir.dot(p - base) - height);
-    const Vector3d step = rows.inverse() * off;
-    p -= step;
-    if (step.norm() < 1e-10) return p;
-  }
-  return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-}
-
-// Returns the intersection as an interpolated spline with few poles. Each of its points is found in
-// a plane perpendicular to the line from the first to the last point. Returns nothing if the curve
-// turns away from this line.
-std::optional<Curve> slicedCurve(const std::vector<Vector3d>& points,
-                                 const std::vector<Vector3d>& tangents, const Carrier& a,
-                                 const Carrier& b) {
-  constexpr double kMinCosine = 0.4;
-  const Vector3d &first = points.front(), chord = points.back() - first;
-  const double length = chord.norm();
-  const Vector3d dir = chord / length;
-  std::vector<double> heights;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    heights.push_back(dir.dot(points[i] - first));
-    if (tangents[i].dot(dir) < kMinCosine || (i > 0 && heights[i] <= heights[i - 1]))
-      return std::nullopt;
-  }
-  const auto exact = [&](double height) {
-    const auto above = std::upper_bound(heights.begin() + 1, heights.end() - 1, height);
-    const std::size_t i = above - heights.begin();
-    const double w = (height - heights[i - 1]) / (heights[i] - heights[i - 1]);
-    return pointInSlice((1 - w) * points[i - 1] + w * points[i], a, b, dir, first, height);
-  };
-  auto curve = fitSpline(exact, {0, length}, 0.4 * kOnCarrier);
-  if (!curve) return std::nullopt;
-  curve->poles.front() = first;
-  curve->poles.back() = points.back();
-  return curve;
-}
-
 }  // namespace
 
 double largestGap(const Curve& curve, const Carrier& carrier) {
@@ -254,11 +206,6 @@ std::optional<Curve> sectionCurve(std::vector<Vector3d> along, bool closed, cons
     }
     const auto tangents = tangentsAt(points, closed, a, b);
     if (!tangents) return std::nullopt;
-    const bool isSheet = a.kind == CarrierKind::Sheet || b.kind == CarrierKind::Sheet;
-    if (isSheet && !closed && spans > kMinPieces) {
-      const auto sliced = slicedCurve(points, *tangents, a, b);
-      if (sliced && isOnBoth(*sliced, a, b)) return sliced;
-    }
     Curve spline = splineAlong(points, *tangents);
     if (isOnBoth(spline, a, b)) return spline;
     along.clear();

@@ -6,8 +6,7 @@
 // Units:   mm.
 // Method:  Newton's method on both distances at evenly spaced points, joined by cubics whose
 //          tangents follow from the normals. The number of points doubles until each span is
-//          accurate. With a sheet, a spline of degree 5 is interpolated instead, unless the curve
-//          turns away from the line between its ends. Such a spline needs far fewer poles.
+//          accurate.
 // Cost:    O(points).
 // Source:  following the intersection with exact tangents (Patrikalakis and Maekawa 2002, ch. 5).
 // SPDX-License-Identifier: LGPL-2.1-or-later

@@ -91,8 +91,6 @@ class BrepBuilder {
       case CarrierKind::Revolution:
         return new Geom_SurfaceOfRevolution(kernelCurve(profileOf(s)),
                                             gp_Ax1(pointOf(s.point), dirOf(s.axis)));
-      case CarrierKind::Sheet:
-        return kernelSheet(*s.sheet);
       default:
         return new Geom_Plane(axes);
     }
@@ -154,7 +152,7 @@ class BrepBuilder {
       return std::round((wanted - value) / (2 * M_PI));
     };
     // Only parameters that are angles are periodic.
-    const bool turns = surface.kind != CarrierKind::Extrusion && surface.kind != CarrierKind::Sheet;
+    const bool turns = surface.kind != CarrierKind::Extrusion;
     const double u = turns ? 2 * M_PI * periods(middle.X(), M_PI) : 0;
     const double v =
         surface.kind == CarrierKind::Torus ? 2 * M_PI * periods(middle.Y(), surface.tubeMid) : 0;

@@ -73,7 +73,7 @@ std::string kindOf(const TopoDS_Face& face) {
     case GeomAbs_SurfaceOfRevolution:
       return surfaceKindName(CarrierKind::Revolution);
     default:
-      return surfaceKindName(CarrierKind::Sheet);
+      return kSheetName;
   }
 }
 
@@ -86,11 +86,10 @@ gp_Pnt pointOn(const TopoDS_Face& face) {
 }
 
 // Counts some faces of a kind as facets.
-void countAsFacets(CarrierKind kind, std::int64_t count, Assembly& assembly) {
+void countAsFacets(const std::string& kind, std::int64_t count, Assembly& assembly) {
   if (count == 0) return;
-  const std::string name = surfaceKindName(kind);
   assembly.facesByKind[surfaceKindName(CarrierKind::Facet)] += count;
-  if ((assembly.facesByKind[name] -= count) == 0) assembly.facesByKind.erase(name);
+  if ((assembly.facesByKind[kind] -= count) == 0) assembly.facesByKind.erase(kind);
 }
 
 class KernelJudge : public Judge {
@@ -152,8 +151,8 @@ class KernelJudge : public Judge {
         return std::nullopt;
       TriMesh triangles;
       Assembly assembly = writeAndRead(filled.shape, options, triangles, run);
-      countAsFacets(CarrierKind::Plane, filled.planes, assembly);
-      countAsFacets(CarrierKind::Sheet, filled.cones, assembly);
+      countAsFacets(surfaceKindName(CarrierKind::Plane), filled.planes, assembly);
+      countAsFacets(kSheetName, filled.cones, assembly);
       assembly.deviation = sweepDeviation(triangles, mesh.points, sides_->interior(),
                                           sides_->detail(), options.tolerance);
       wrong = assembly.check.valid ? std::vector<Eigen::Vector3d>() : pointsOnInvalid(run);

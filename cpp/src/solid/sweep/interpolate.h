@@ -16,9 +16,6 @@
 
 namespace swept::step {
 
-/// A sheet that needs more poles is nearly singular and is not made.
-constexpr std::size_t kMaxPoles = 1000;
-
 /// Returns a point of the exact surface. Its coordinates are not finite where the surface is
 /// undefined.
 using ExactSurface = std::function<Eigen::Vector3d(double u, double t)>;
@@ -34,7 +31,6 @@ struct FittedSheet {
 /// `maxPoles` poles, or if a value is not finite. `degree`: in the directions for which no knots
 /// are given.
 std::optional<FittedSheet> fitSheet(const ExactSurface& exact, Range u, Range t, const Knots* given,
-                                    double bound, std::size_t maxPoles = kMaxPoles,
-                                    int degree = kSmoothDegree);
+                                    double bound, std::size_t maxPoles, int degree = kSmoothDegree);
 
 }  // namespace swept::step

@@ -92,29 +92,6 @@ class Writer {
     lines_.raw(")");
   }
 
-  Id sheet(const Sheet& sheet) {
-    const Knots &u = sheet.knotsU(), &t = sheet.knotsT();
-    std::vector<Id> poles;
-    for (const Vector3d& pole : sheet.poles()) poles.push_back(sections_.point(pole));
-    const Id id = lines_.begin("B_SPLINE_SURFACE_WITH_KNOTS");
-    lines_.raw("'',").raw(std::to_string(u.degree())).raw(",").raw(std::to_string(t.degree()));
-    for (std::size_t i = 0; i < u.poleCount(); ++i) {
-      const auto row = poles.begin() + static_cast<std::ptrdiff_t>(i * t.poleCount());
-      lines_.raw(i == 0 ? ",(" : ",");
-      lines_.ids({row, row + static_cast<std::ptrdiff_t>(t.poleCount())});
-    }
-    lines_.raw("),.UNSPECIFIED.,.F.,.F.,.F.,");
-    multiplicities(u.degree(), u.joints(), u.breaks().size());
-    lines_.raw(",");
-    multiplicities(t.degree(), t.joints(), t.breaks().size());
-    lines_.raw(",");
-    breaks(u.breaks());
-    lines_.raw(",");
-    breaks(t.breaks());
-    lines_.raw(",.UNSPECIFIED.").end();
-    return id;
-  }
-
   Id curve(const ModelEdge& edge) {
     switch (edge.curve.kind) {
       case CurveKind::Circle:
@@ -148,7 +125,6 @@ class Writer {
     const Vector3d x = s.xdir.norm() > 0.5 ? s.xdir : anyOrthogonal(s.axis);
     if (s.kind == CarrierKind::Plane) return plane(sections_.placement(s.point, s.axis, x));
     if (s.hasProfile()) return extrusionOrRevolution(s);
-    if (s.kind == CarrierKind::Sheet) return sheet(*s.sheet);
     // STEP requires a positive angle, so the radius of a cone must grow along its axis.
     const bool turned = s.kind == CarrierKind::Cone && s.halfAngle < 0;
     const Id axes = sections_.placement(s.point, turned ? Vector3d(-s.axis) : s.axis, x);
