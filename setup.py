@@ -4,7 +4,7 @@
     python3 -m pip wheel --no-build-isolation --no-deps --wheel-dir out .
 
 CMake builds the core. Where the wheel is installed, it needs numpy and the system libraries that README.md
-names (TBB, FCL). `.ci/wheel` makes wheels that need only the C library and numpy.
+names (TBB, OpenMesh, FCL). `.ci/wheel` makes wheels that need only the C library and numpy.
 Environment variables: CMAKE_ARGS is passed to CMake. If SWEPT_MODULE is the path of a compiled module,
 nothing is built, and the wheel gets this module unchanged (.ci/foreign-wheel).
 """

@@ -36,4 +36,4 @@ configure_package_config_file(cmake/swept-config.cmake.in ${CMAKE_BINARY_DIR}/sw
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/swept-config-version.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/swept-config.cmake ${CMAKE_BINARY_DIR}/swept-config-version.cmake
-  DESTINATION ${swept_package} COMPONENT development)
+  cmake/FindOpenMeshCore.cmake DESTINATION ${swept_package} COMPONENT development)

@@ -47,7 +47,7 @@ endif()
 
 if(SWEPT_ZIG_TARGET MATCHES "windows")
   set(CMAKE_SYSTEM_NAME Windows)
-  add_compile_definitions(_USE_MATH_DEFINES)  # M_PI, which FCL uses
+  add_compile_definitions(_USE_MATH_DEFINES)  # M_PI, which FCL and OpenMesh use
   # Without -s, the program contains the checksum of a file of symbols, which depends on the build folder.
   set(CMAKE_EXE_LINKER_FLAGS_INIT -s)
   set(CMAKE_MODULE_LINKER_FLAGS_INIT -s)

@@ -176,7 +176,7 @@ TEST(Fault, bad_input_24_cancel_at_every_checkpoint_gives_all_back) {
 /// Calls `work` with each of its allocations failing in turn, or with a sample of them. `work`
 /// returns whether its result is right. It must end with std::bad_alloc or Error, or return the
 /// right result all the same. After the next successful call, no more memory may be in use than
-/// before.
+/// before (OpenMesh's readers keep what they read last).
 template <class Work>
 void failEveryAllocation(const std::string& name, const Work& work) {
   SCOPED_TRACE(name);

@@ -39,6 +39,7 @@ def test_dependencies_run_in_one_direction(rules, root):
         ("cpp/src/base/a.h", '#include "grid/grid_plan.h"', "base/ may not include grid/"),
         ("cpp/src/check/a.h", '#include "pipeline/compute.h"', "check/ may not include pipeline/"),
         ("cpp/src/check/a.h", '#include "io/safe_file.h"', "check/ may not include io/"),
+        ("cpp/src/pipeline/a.cpp", "#include <OpenMesh/Core/IO/MeshIO.hh>", "OpenMesh is not for"),
         ("cpp/src/pipeline/a.cpp", "#  include <TopoDS.hxx>", "OpenCASCADE is not for pipeline/"),
         ("cpp/src/check/a.cpp", "#include <pybind11/numpy.h>", "pybind11 is not for check/"),
         ("cpp/src/sampling/a.cpp", '#include "sampling/gl/gl_context.h"', "may not include"),

@@ -80,6 +80,7 @@ EVERYWHERE = {room.split("/")[0] for room in MAY_INCLUDE}
 THIRD_PARTIES = [
     (re.compile(r"Eigen/"), EVERYWHERE, "Eigen"),
     (re.compile(r"tbb/|oneapi/"), EVERYWHERE - {"include", "python", "tools"}, "TBB"),
+    (re.compile(r"OpenMesh/"), {"io", "geometry", "simplify"}, "OpenMesh"),
     (re.compile(r"zlib\.h|lzma\.h|minizip/"), {"io"}, "zlib, minizip and lzma"),
     # Reports are JSON; the base has the common part of them.
     (re.compile(r"nlohmann/"), {"base"}, "nlohmann-json"),

@@ -1,5 +1,5 @@
 // Writes triangles as PLY, OBJ and OFF (every number exactly) and as STL, whose format only holds
-// single precision (io/single_precision.h).
+// single precision (io/single_precision.h). OpenMesh's writers would use single precision only.
 // Units: mm. Only the state of the stream tells whether an error occurred.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

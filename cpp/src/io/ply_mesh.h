@@ -1,4 +1,6 @@
 // Reads PLY files, text and binary, in double precision. The files may have additional properties.
+// OpenMesh's reader is not used: it rounds to single precision, never stops on a header that it
+// does not understand, and its version 11 crashes on unknown properties.
 // In:   stream, header and size of the file.
 // Out:  vertices and faces in file order. The indices are not checked yet.
 // Throws Error(InvalidInput, "BadFile"); the message gives the position of the error.

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
+#include <cmath>
+#include <cstring>
 #include <iterator>
 
 #include "base/limits.h"
@@ -33,22 +36,11 @@ void endFace(PolygonList& list, const TextScanner& scan) {
   list.faceStart.push_back(list.corners.size());
 }
 
-template <class Number>
-bool parse(std::string_view text, Number& value) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  if (text.empty() || text.front() == '+') return false;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end != text.data() + text.size()) return false;
-  if (error == std::errc::result_out_of_range) {
-    // A number below the smallest one of its type counts as zero. A number above the largest one is
-    // refused.
-    const std::size_t mark = text.find_first_of("eE");
-    const bool tiny =
-        mark != std::string_view::npos && mark + 1 < text.size() && text[mark + 1] == '-';
-    value = 0;
-    return tiny;
-  }
-  return error == std::errc{};
+[[noreturn]] void notFinite(const std::string& path, const std::string& where) {
+  throw Error(Status::InvalidInput, "NonFiniteVertex",
+              "'" + path + "', " + where +
+                  ": a coordinate is not a finite number; "
+                  "export the mesh again from its source");
 }
 
 }  // namespace
@@ -76,8 +68,21 @@ std::int64_t toInteger(TextScanner& scan, std::string_view word) {
   return value;
 }
 
-bool parseNumber(std::string_view text, double& value) { return parse(text, value); }
-bool parseNumber(std::string_view text, float& value) { return parse(text, value); }
+bool parseNumber(std::string_view text, double& value) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  if (text.empty() || text.front() == '+') return false;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end != text.data() + text.size()) return false;
+  if (error == std::errc::result_out_of_range) {
+    // A number below the smallest double counts as zero. A number above the largest one is refused.
+    const std::size_t mark = text.find_first_of("eE");
+    const bool tiny =
+        mark != std::string_view::npos && mark + 1 < text.size() && text[mark + 1] == '-';
+    value = 0;
+    return tiny;
+  }
+  return error == std::errc{};
+}
 
 bool parseInteger(std::string_view text, std::int64_t& value) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
@@ -175,6 +180,38 @@ PolygonList readOff(std::istream& stream, const std::string& path) {
     endFace(list, scan);
   }
   return list;
+}
+
+void checkTextStl(std::istream& stream, const std::string& path) {
+  const std::string text = readAll(stream);
+  TextScanner scan(text, path);
+  std::int64_t vertices = 0;
+  do {
+    const std::string_view key = scan.word();
+    if (key != "vertex" && key != "VERTEX") continue;
+    if (!threeNumbers(scan).allFinite()) notFinite(path, "line " + std::to_string(scan.line()));
+    ++vertices;
+  } while (scan.nextLine());
+  if (vertices % 3 != 0) {
+    throw Error(Status::InvalidInput, "BadFile",
+                "'" + path + "' has " + std::to_string(vertices) +
+                    " vertices, but the number must be a multiple of 3; the file is truncated");
+  }
+}
+
+void checkBinaryStl(std::istream& stream, const std::string& path) {
+  stream.clear();
+  stream.seekg(84);
+  static_assert(std::endian::native == std::endian::little);
+  std::array<char, 50> facet{};
+  for (std::int64_t i = 0; stream.read(facet.data(), facet.size()); ++i) {
+    for (int k = 3; k < 12; ++k) {
+      float value = 0;
+      std::memcpy(&value, facet.data() + 4 * k, 4);
+      if (std::isfinite(value)) continue;
+      notFinite(path, "triangle " + std::to_string(i) + " (counted from 0)");
+    }
+  }
 }
 
 }  // namespace swept

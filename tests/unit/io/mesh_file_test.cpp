@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <sstream>
 
 #include "io/error_text.h"
 #include "support/temporary_folder.h"
@@ -64,25 +63,6 @@ TEST(MeshFile, StlKeepsEveryFacetInSinglePrecision) {
       EXPECT_EQ(a.cast<float>(), b.cast<float>());
     }
   }
-}
-
-TEST(MeshFile, EqualCornersOfAnStlAreOneVertex) {
-  const TemporaryFolder folder;
-  const auto facet = [](const std::string& key, const char* points) {
-    std::string text = "facet normal 0 0 1\n outer loop\n";
-    std::istringstream numbers(points);
-    for (std::string x, y, z; numbers >> x >> y >> z;)
-      text += "  " + key + " " + x + " " + y + " " + z + "\n";
-    return text + " endloop\nendfacet\n";
-  };
-  // The second facet has no area and is left out.
-  const TriMesh mesh = readMesh(
-      folder.write("text.stl", "solid a\n" + facet("vertex", "0 0 0 0.1 0 0 +1e-50 2 0") +
-                                   facet("vertex", "0 0 0 0.1 0 0 0.1 -0 0") +
-                                   facet("VERTEX", "0.1 0 0 3 3 3 0 2 0") + "endsolid a\n"));
-  ASSERT_EQ(mesh.vertices.size(), 4u);
-  EXPECT_EQ(mesh.vertices[1], Eigen::Vector3d(0.1f, 0, 0));
-  EXPECT_EQ(mesh.triangles, (std::vector<std::array<std::int32_t, 3>>{{0, 1, 2}, {1, 3, 2}}));
 }
 
 TEST(MeshFile, NamesOutsideAsciiAndWithSpaces) {
@@ -148,6 +128,7 @@ TEST(MeshFile, TextAndBigEndianPly) {
   EXPECT_EQ(big.triangles[0], (std::array<std::int32_t, 3>{0, 1, 2}));
 }
 
+// Version 11 of OpenMesh's PLY reader crashes on the other elements of this file.
 TEST(MeshFile, PlyWithPropertiesOfAllKinds) {
   const TemporaryFolder folder;
   const std::string head =
