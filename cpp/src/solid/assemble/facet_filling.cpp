@@ -24,9 +24,9 @@
 #include "solid/assemble/face_samples.h"
 #include "solid/assemble/fine_triangles.h"
 #include "solid/assemble/hole_facets.h"
-#include "solid/assemble/hole_patches.h"
 #include "solid/assemble/hole_triangles.h"
 #include "solid/assemble/kernel_geometry.h"
+#include "solid/assemble/narrow_holes.h"
 #include "solid/assemble/open_edges.h"
 #include "solid/assemble/shape_triangles.h"
 #include "solid/assemble/solid_of_faces.h"
@@ -43,7 +43,7 @@ constexpr double kThinFirst = 0.05;
 /// If the faces have less of the area than this, the solid is not worth the time.
 constexpr double kMinFraction = 0.4;
 /// Width of a hole that few faces may fill, whatever its length, as a fraction of the tolerance.
-constexpr double kMaxPatchWidth = 0.5;
+constexpr double kMaxNarrow = 0.5;
 
 // Returns copies that share no edges with the faces.
 std::vector<TopoDS_Face> copyOf(const std::vector<TopoDS_Face>& faces) {
@@ -122,7 +122,7 @@ class FacetFiller::State {
     while (!faces_.empty()) {
       run_.checkpoint(Phase::Export);
       ++round_;
-      appendPatches();
+      appendFillings();
       std::vector<OpenEdge> open = openEdgesOf(faces_);
       isWrong_.assign(faces_.size(), 0);
       std::vector<double> areas;
@@ -152,14 +152,13 @@ class FacetFiller::State {
   using Wrong = std::vector<HoleTriangles::Sides>;  // for each wrong triangle
 
   // Fills narrow holes, and those with a plane border.
-  void appendPatches() {
+  void appendFillings() {
     const std::size_t first = faces_.size();
-    for (const TopoDS_Face& patch :
-         patches_.over(openEdgesOf(faces_), kMaxPatchWidth * tolerance_)) {
-      faces_.push_back(patch);
-      // If a patch and a face of the sweep do not fit together, the patch is left out.
-      areas_[patch.TShape().get()] = 0;
-      isPatch_.insert(patch.TShape().get());
+    for (const TopoDS_Face& filling : narrow_.fill(openEdgesOf(faces_), kMaxNarrow * tolerance_)) {
+      faces_.push_back(filling);
+      // If a filling and a face of the sweep do not fit together, the filling is left out.
+      areas_[filling.TShape().get()] = 0;
+      isFilling_.insert(filling.TShape().get());
     }
     if (first < faces_.size()) measure(first);
   }
@@ -318,7 +317,7 @@ class FacetFiller::State {
     FilledSolid result;
     std::vector<TopoDS_Face> ofSweep;
     for (std::size_t f = 0; f < closed.size(); ++f) {
-      if (f < faces_.size() && isPatch_.count(faces_[f].TShape().get()) == 0) {
+      if (f < faces_.size() && isFilling_.count(faces_[f].TShape().get()) == 0) {
         ofSweep.push_back(closed[f]);
         continue;
       }
@@ -348,8 +347,8 @@ class FacetFiller::State {
   std::vector<char> isWrong_;  // by face
   HoleTriangles::MorePoints more_;
   std::map<const void*, double> areas_;
-  HolePatches patches_;
-  std::set<const void*> isPatch_;  // of faces_
+  NarrowHoles narrow_;
+  std::set<const void*> isFilling_;  // of faces_
   int round_ = 0;
 };
 

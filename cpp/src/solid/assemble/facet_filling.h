@@ -5,7 +5,7 @@
 //          are impossible are left out, so facets take their place.
 // Units:   mm.
 // Cost:    some tenths of a second for each attempt; 3 to 30 attempts.
-// Method:  hole_patches.h fills narrow holes with few faces. For the others, hole_triangles.h finds
+// Method:  narrow_holes.h fills narrow holes with few faces. For the others, hole_triangles.h finds
 // the triangles of the mesh that fill the holes, hole_facets.h
 //          makes faces of them. A facet is wrong if it is not valid, intersects others, or is not
 //          on the surface of the swept volume. Then the open edges there get more vertices, and all
@@ -29,7 +29,7 @@ namespace swept::step {
 
 struct FilledSolid {
   TopoDS_Shape shape;                  ///< null if there is no such solid
-  std::int64_t planes = 0, cones = 0;  ///< facets of both kinds (hole_facets.h, hole_patches.h)
+  std::int64_t planes = 0, cones = 0;  ///< facets of both kinds (hole_facets.h, narrow_holes.h)
 };
 
 /// Fills the holes between faces.

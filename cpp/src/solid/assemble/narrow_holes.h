@@ -4,8 +4,8 @@
 //          face on a Coons patch. A hole with more than four edges is cut in several by straight
 //          edges. All faces use the open edges.
 // Units:   mm.
-// Cost:    some milliseconds per patch.
-// Note:    Whether a patch lies on the surface of the swept volume is for the caller to test.
+// Cost:    some milliseconds per filling.
+// Note:    Whether a filling lies on the surface of the swept volume is for the caller to test.
 // Source:  S. Coons, Surfaces for computer-aided design of space forms (1967).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
@@ -18,12 +18,12 @@
 
 namespace swept::step {
 
-class HolePatches {
+class NarrowHoles {
  public:
-  /// Returns patches for those holes whose edges form a simple loop, unless all these edges were
+  /// Returns fillings for those holes whose edges form a simple loop, unless all these edges were
   /// given before. Holes for which the kernel accepts no faces have none. `maxWidth`: mm, twice the
   /// area divided by the length of the border, if the border is not plane.
-  std::vector<TopoDS_Face> over(const std::vector<OpenEdge>& open, double maxWidth);
+  std::vector<TopoDS_Face> fill(const std::vector<OpenEdge>& open, double maxWidth);
 
  private:
   std::set<const void*> tried_;  // edges

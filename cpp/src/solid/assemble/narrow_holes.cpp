@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "solid/assemble/hole_patches.h"
+#include "solid/assemble/narrow_holes.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
@@ -29,7 +27,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// An open edge in the direction in which a patch uses it.
+// An open edge in the direction in which a filling uses it.
 struct Side {
   TopoDS_Edge edge;  // forward
   bool isForward = true;
@@ -105,19 +103,29 @@ TopoDS_Wire wireOf(const Loop& loop) {
   return wire;
 }
 
-// Returns a null face if the sides do not lie in one plane.
-TopoDS_Face planeOver(const Loop& loop) {
-  constexpr double kFlat = 1e-6;  // mm
+std::vector<Vector3d> pointsAlong(const Loop& loop) {
   constexpr int kSteps = 8;
   std::vector<Vector3d> points;
   for (const Side& side : loop) {
     const SideCurve curve(side);
     for (int i = 0; i < kSteps; ++i) points.push_back(curve.at(static_cast<double>(i) / kSteps));
   }
-  Vector3d area = Vector3d::Zero();
+  return points;
+}
+
+// Returns the area vector of a polygon, mm^2.
+Vector3d areaVector(const std::vector<Vector3d>& points) {
+  Vector3d twice = Vector3d::Zero();
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
-    area += (points[i] - points[0]).cross(points[i + 1] - points[0]);
-  const Vector3d normal = area.normalized();
+    twice += (points[i] - points[0]).cross(points[i + 1] - points[0]);
+  return twice / 2;
+}
+
+// Returns a null face if the sides do not lie in one plane.
+TopoDS_Face planeOver(const Loop& loop) {
+  constexpr double kFlat = 1e-6;  // mm
+  const std::vector<Vector3d> points = pointsAlong(loop);
+  const Vector3d normal = areaVector(points).normalized();
   if (!std::all_of(points.begin(), points.end(), [&](const Vector3d& p) {
         return std::abs((p - points[0]).dot(normal)) < kFlat;
       }))
@@ -132,7 +140,7 @@ TopoDS_Face planeOver(const Loop& loop) {
 }
 
 // The boundary of the unit square, from (0, 0) through (1, 0), (1, 1) and (0, 1). A border without
-// a side is a point of the patch.
+// a side is a point of the filling.
 class Boundary {
  public:
   explicit Boundary(Loop loop) {
@@ -173,10 +181,10 @@ class Boundary {
 
 TopoDS_Face coonsOver(const Loop& loop) {
   constexpr double kBound = 1e-8;  // mm
-  constexpr std::size_t kMaxPatchPoles = 4000;
+  constexpr std::size_t kMaxFillingPoles = 4000;
   const Boundary boundary(loop);
   const auto fitted = fitSheet([&](double u, double v) { return boundary.at(u, v); }, {0, 1},
-                               {0, 1}, nullptr, kBound, kMaxPatchPoles);
+                               {0, 1}, nullptr, kBound, kMaxFillingPoles);
   if (!fitted) return {};
   const BRep_Builder builder;
   TopoDS_Face face;
@@ -242,37 +250,35 @@ std::vector<Loop> cutLoop(const Loop& loop) {
 }
 
 // Returns twice the area divided by the length of the border.
-double widthOf(const std::vector<TopoDS_Face>& patches, const Loop& loop) {
+double widthOf(const Loop& loop, const std::vector<Loop>& parts) {
   double length = 0, area = 0;
   for (const Side& side : loop) length += SideCurve(side).length();
-  for (const TopoDS_Face& patch : patches) {
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(patch, properties);
-    area += std::abs(properties.Mass());
-  }
+  for (const Loop& part : parts) area += areaVector(pointsAlong(part)).norm();
   return 2 * area / length;
 }
 
-// Returns the patches over the parts of a loop; none if the loop is too wide or if there is no
+// Returns the fillings over the parts of a loop; none if the loop is too wide or if there is no
 // valid face over one of the parts.
-std::vector<TopoDS_Face> patchesOver(const Loop& loop, double maxWidth) {
+std::vector<TopoDS_Face> fillingsOf(const Loop& loop, double maxWidth) {
   constexpr std::size_t kMaxSides = 12;
   const TopoDS_Face plane = planeOver(loop);
   if (isValid(plane, loop)) return {plane};
   if (loop.size() < 2 || loop.size() > kMaxSides) return {};
-  std::vector<TopoDS_Face> patches;
-  for (const Loop& part : cutLoop(loop)) {
+  const std::vector<Loop> parts = cutLoop(loop);
+  if (widthOf(loop, parts) > maxWidth) return {};
+  std::vector<TopoDS_Face> fillings;
+  for (const Loop& part : parts) {
     const TopoDS_Face flat = planeOver(part);
-    patches.push_back(flat.IsNull() ? coonsOver(part) : flat);
-    if (!isValid(patches.back(), part)) return {};
+    fillings.push_back(flat.IsNull() ? coonsOver(part) : flat);
+    if (!isValid(fillings.back(), part)) return {};
   }
-  return widthOf(patches, loop) <= maxWidth ? patches : std::vector<TopoDS_Face>();
+  return fillings;
 }
 
 }  // namespace
 
-std::vector<TopoDS_Face> HolePatches::over(const std::vector<OpenEdge>& open, double maxWidth) {
-  std::vector<TopoDS_Face> patches;
+std::vector<TopoDS_Face> NarrowHoles::fill(const std::vector<OpenEdge>& open, double maxWidth) {
+  std::vector<TopoDS_Face> fillings;
   for (const Loop& loop : simpleLoops(open)) {
     bool isNew = false;
     for (const Side& side : loop) {
@@ -281,13 +287,13 @@ std::vector<TopoDS_Face> HolePatches::over(const std::vector<OpenEdge>& open, do
         BRepLib::SameParameter(side.edge, Precision::Confusion());
     }
     if (!isNew) continue;
-    for (const TopoDS_Face& patch : patchesOver(loop, maxWidth)) {
-      patches.push_back(patch);
-      for (TopExp_Explorer it(patch, TopAbs_EDGE); it.More(); it.Next())
+    for (const TopoDS_Face& filling : fillingsOf(loop, maxWidth)) {
+      fillings.push_back(filling);
+      for (TopExp_Explorer it(filling, TopAbs_EDGE); it.More(); it.Next())
         tried_.insert(it.Current().TShape().get());
     }
   }
-  return patches;
+  return fillings;
 }
 
 }  // namespace swept::step
