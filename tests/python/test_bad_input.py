@@ -532,23 +532,38 @@ def damaged(folder, *kept):
         thread.join()
 
 
+TRIES = 5
+
+
 @pytest.mark.skipif(not _swept.HAS_SOLIDS, reason="built without OpenCASCADE")
 def test_bad_input_37_solid_that_reads_back_wrong(program, tmp_path, box):
     """The file is damaged between writing and reading back. It must not replace the target."""
     # Many faces, so that writing takes long enough for the header to be damaged meanwhile.
     result = _swept.compute(*box, slide(20, 9, 4), resolution=48)
     target, report = tmp_path / "o.step", tmp_path / "r.json"
-    target.write_text("old")
-    with damaged(tmp_path, target), pytest.raises(_swept.ExportFailed) as caught:
-        _swept.write_solid(
-            target, result.vertices, result.triangles, max_faces=10**6, merge_coplanar=False
-        )
-    assert caught.value.code.startswith("Reread"), caught.value
+    # On a busy machine, the damage may come too late, even after the file was read back.
+    error = None
+    for _ in range(TRIES):
+        target.write_text("old")
+        try:
+            with damaged(tmp_path, target):
+                _swept.write_solid(
+                    target,
+                    result.vertices,
+                    result.triangles,
+                    max_faces=10**6,
+                    merge_coplanar=False,
+                )
+        except _swept.ExportFailed as failure:
+            error = failure
+            break
+    assert error is not None, "damaged files were accepted"
+    assert error.code.startswith("Reread"), error
     assert target.read_text() == "old" and list(tmp_path.iterdir()) == [target]
     body, path = tmp_path / "b.ply", tmp_path / "m.csv"
     _swept.write_mesh(body, *box)
     path.write_text("0,0,0,0,0,0,0,1\n1,20,9,4,0,0,0.6,0.8\n")
-    for _ in range(5):  # on a busy machine the damage may come too late
+    for _ in range(TRIES):
         target.write_text("old")
         with damaged(tmp_path, target, body, path, report):
             done = subprocess.run(
@@ -560,7 +575,6 @@ def test_bad_input_37_solid_that_reads_back_wrong(program, tmp_path, box):
             )  # fmt: skip
         if done.returncode != 0:
             break
-        assert not target.read_bytes().startswith(b"garbage"), "a damaged file was accepted"
     assert done.returncode == 1 and "ExportFailed/Reread" in done.stderr, done.stderr
     assert target.read_text() == "old"
     assert set(tmp_path.iterdir()) == {target, body, path, report}
