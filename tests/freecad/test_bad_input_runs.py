@@ -55,7 +55,7 @@ class BadRuns(BadCase):
 
     def test_bad_input_16_cell(self):
         obj = self.envelope([self.box()], self.line(), Resolution=1)
-        self.refused(obj, "resolution = 1", "allowed: 4 to 16384")
+        self.refused(obj, "the resolution is 1", "allowed: 4 to 16384")
 
     def test_bad_input_18_one_pose(self):
         still = motion.motion_from_poses(self.doc, [0], [shift()])
