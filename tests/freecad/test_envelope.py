@@ -316,6 +316,7 @@ class SolidAndFiles(Computed):
             solid.compute(body)
         body.MaxFaces = 20000
         self.assertEqual(solid.compute(body)["tolerance"], 0)
+        self.assertEqual(solid.first_settings(obj)["tolerance"], 0)
 
     def swept_pin(self):
         """Returns the envelope of a moved cylinder, and a solid of it with recognised surfaces."""
@@ -325,6 +326,24 @@ class SolidAndFiles(Computed):
         obj = self.envelope([part], self.line(), CellSize=0.4)
         envelope.compute(obj)
         return obj, solid.make_solid(self.doc, obj, Tolerance=0.1)
+
+    def test_proposed_settings(self):
+        """The settings that the panel proposes suffice for the faces of the part."""
+        if not core.has_solids():
+            self.skipTest("the core has no OpenCASCADE")
+        obj, body = self.swept_pin()
+        solid.set_settings(body, solid.first_settings(obj))
+        self.assertEqual(body.Tolerance.Value, 0.04)  # a tenth of a cell
+        self.assertNotIn("facet", solid.compute(body)["faces_by_kind"])
+
+    def test_tolerance_below_the_deviation_of_the_mesh(self):
+        """A coarse mesh of the part does not keep the solid from the faces of the part."""
+        if not core.has_solids():
+            self.skipTest("the core has no OpenCASCADE")
+        _, body = self.swept_pin()
+        body.Tolerance = 0.004
+        self.assertNotIn("facet", solid.compute(body)["faces_by_kind"])
+        self.assertLess(body.Deviation.Value, 0.004)
 
     def test_faces_of_the_part(self):
         """The solid of a straight move has the exact volume, wherever part and envelope stand."""

@@ -60,6 +60,7 @@ def _steps():
     scene = demo.build()
     yield
     obj = demo.add_envelope(scene)
+    from sweptvolume.features import solid
     from sweptvolume.features.envelope import Plan
 
     e = Plan.of(obj).estimate()
@@ -74,7 +75,7 @@ def _steps():
     _say("   longest pause of the window: {:.0f} ms".format(gap * 1000))
     yield
     _say("3. The solid ...")
-    task = tasks.SolidTask(scene.document, obj)
+    task = tasks.SolidTask(scene.document, obj, settings=solid.first_settings(obj))
     _finish(runner.start(task))
     scene.solid = task.obj
     shape = scene.solid.Shape
@@ -84,7 +85,7 @@ def _steps():
     yield
     step = os.path.join(folder, "starter_envelope.step")
     _say("4. The STEP file ...")
-    _finish(runner.start(tasks.ExportTask(obj, step)))
+    _finish(runner.start(tasks.ExportTask(obj, step, solid.first_settings(obj))))
     yield
     picture = os.path.join(folder, "starter_envelope.png")
     scene.solid.ViewObject.Visibility = False

@@ -20,11 +20,13 @@ std::optional<Built> checked(const HalfEdgeMesh& mesh, const SolidOptions& optio
     if (error.status() != Status::ExportFailed) throw;
   }
   run.checkpoint(Phase::Export);
-  if (!assembly || !rereadComplaint(assembly->check, mesh, options).empty()) return std::nullopt;
-  if (assembly->deviation > options.tolerance) return std::nullopt;
+  if (!assembly || assembly->deviation > options.tolerance) return std::nullopt;
+  if (!rereadComplaint(assembly->check, mesh, options, assembly->meshError).empty())
+    return std::nullopt;
   Built built;
   built.facesByKind = std::move(assembly->facesByKind);
   built.deviation = assembly->deviation;
+  built.meshError = assembly->meshError;
   return built;
 }
 

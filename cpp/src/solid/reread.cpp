@@ -9,10 +9,11 @@
 namespace swept {
 
 std::string rereadComplaint(const SolidCheck& read, const step::HalfEdgeMesh& mesh,
-                            const SolidOptions& options) {
+                            const SolidOptions& options, double meshError) {
   const std::int64_t outer = step::countOuterShells(mesh.shellOwner);
-  const double allowed = mesh.area * std::max(options.planarTolerance, options.tolerance) +
-                         1e-6 * std::abs(mesh.volume);
+  const double allowed =
+      mesh.area * std::max({options.planarTolerance, options.tolerance, meshError}) +
+      1e-6 * std::abs(mesh.volume);
   if (!read.valid) return read.complaint;
   if (read.solids != outer || read.shells != std::ssize(mesh.shellOwner)) {
     return std::to_string(read.solids) + " solids with " + std::to_string(read.shells) +

@@ -28,6 +28,7 @@ struct Built {
   Model model;
   std::map<std::string, std::int64_t> facesByKind;
   double deviation = 0;  // mm, of the mesh's vertices from the faces of the solid
+  double meshError = 0;  // mm, of an assembled solid: how far most of the mesh lies off it
 
   std::int64_t faceCount() const {
     std::int64_t count = 0;

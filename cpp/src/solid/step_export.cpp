@@ -34,17 +34,17 @@ using namespace step;
 
 // Reads the file back with the judge. Throws an error with advice if the file cannot be read, or if
 // it does not contain the solid of the mesh.
-SolidCheck readBack(Judge& judge, const Model& model, const SafeFile& file, const std::string& name,
+SolidCheck readBack(Judge& judge, const Built& built, const SafeFile& file, const std::string& name,
                     const HalfEdgeMesh& mesh, const SolidOptions& options, RunContext& run) {
   SolidCheck check;
   try {
-    check =
-        judge.readBack(model, file.temporary(), name, options, solidFormatOf(file.target()), run);
+    check = judge.readBack(built.model, file.temporary(), name, options,
+                           solidFormatOf(file.target()), run);
   } catch (const Error& error) {
     if (error.code() != "RereadFailed") throw;
     refuse("RereadFailed", "cannot be read back", error.what());
   }
-  const std::string what = rereadComplaint(check, mesh, options);
+  const std::string what = rereadComplaint(check, mesh, options, built.meshError);
   if (!what.empty())
     refuse("RereadDiffers", "contained a different solid when it was read back", what);
   return check;
@@ -83,7 +83,7 @@ WrittenSolid writeChecked(const TriMesh& input, const std::string& path, SolidOp
     writeBuilt(built, *judge, file.stream(), name, options, format, run);
     file.close();
     report.secondsWrite = watch.lap();
-    const SolidCheck check = readBack(*judge, built.model, file, name, mesh, options, run);
+    const SolidCheck check = readBack(*judge, built, file, name, mesh, options, run);
     report.facesByKind.assign(built.facesByKind.begin(), built.facesByKind.end());
     report.deviation = built.deviation;
     report.tolerance = options.tolerance;

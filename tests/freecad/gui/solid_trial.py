@@ -68,6 +68,10 @@ def scenario():
     tolerance = find(QtWidgets.QWidget, "SweptVolumeSolidTolerance")
     tried = lambda: figures(label.text()) is not None and not figures(label.text())[2]  # noqa: E731
     bound = lambda: figures(label.text()) is not None and figures(label.text())[2]  # noqa: E731
+    # The panel proposes a tolerance, so that the solid gets the surfaces that the part sweeps.
+    proposed = tolerance.property("rawValue")
+    assert 0.05 < proposed < 0.15, proposed  # about a tenth of a cell
+    tolerance.setProperty("rawValue", 0)
     yield tried
     exact = figures(label.text())
 
@@ -130,7 +134,8 @@ def scenario():
     Gui.runCommand("SweptVolume_Solid")
     yield
     label = find(QtWidgets.QLabel, "SweptVolumeSolidEstimate")
-    yield tried
+    find(QtWidgets.QWidget, "SweptVolumeSolidTolerance").setProperty("rawValue", 0)
+    yield lambda: tried() and figures(label.text()) == exact
     find(QtWidgets.QSpinBox, "SweptVolumeMaxFaces").setValue(1500)
     yield lambda: tried() and figures(label.text())[0] <= 1500
     assert "is needed to meet the limits" in label.text(), label.text()

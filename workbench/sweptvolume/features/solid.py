@@ -50,6 +50,10 @@ DEFAULTS = {
     "tessellated": False,
 }
 
+#: The smallest tolerance that the panel proposes, as a fraction of the diagonal of the bounding box.
+#: It is also the smallest one that the core chooses by itself.
+PROPOSED_SHARE = 1 / 4000
+
 
 class Solid(Feature):
     """Proxy of the solid."""
@@ -264,6 +268,11 @@ class Request:
         return write(self.vertices, self.triangles, path, control, **options)
 
 
+def is_exact(source):
+    """Returns whether the solid of a mesh object must be exact."""
+    return envelope_feature.is_envelope(source) and bool(source.Conservative)
+
+
 def request_for(source, world=False, **given):
     """Reads a mesh object. `world`: return vertices in world coordinates (for export), not in its
     own frame. given: the settings that differ from DEFAULTS.
@@ -271,7 +280,7 @@ def request_for(source, world=False, **given):
     The solid of a conservative envelope is exact, because a simplified one could cut into the swept
     volume."""
     _check_source(source)
-    exact = envelope_feature.is_envelope(source) and bool(source.Conservative)
+    exact = is_exact(source)
     vertices, triangles = convert.arrays_from_mesh(source.Mesh)
     placed = convert.matrix_of(convert.global_placement(*convert.root_path(source)))
     if world:
@@ -291,6 +300,19 @@ def settings(obj):
         max_faces=int(obj.MaxFaces),
         tolerance=obj.Tolerance.Value,
     )
+
+
+def first_settings(source):
+    """Returns the settings that the panel proposes for a new solid, as a dict like DEFAULTS. With
+    their tolerance, which has one significant digit, the solid gets the surfaces that the part
+    sweeps. It is about the deviation of the meshes of the parts. It is 0 for conservative
+    envelopes, see request_for()."""
+    if is_exact(source):
+        return dict(DEFAULTS)
+    tolerance = source.Mesh.BoundBox.DiagonalLength * PROPOSED_SHARE
+    if envelope_feature.is_envelope(source):
+        tolerance = max(tolerance, source.MeshDeflection * source.UsedCellSize.Value)
+    return dict(DEFAULTS, tolerance=float("{:.0e}".format(tolerance)))
 
 
 def set_settings(obj, wanted):

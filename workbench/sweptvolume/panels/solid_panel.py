@@ -30,7 +30,7 @@ class SolidPanel(StartPanel):
         self.background = BackgroundEstimate(
             self.document, self.show_estimate, self.report_estimate
         )
-        values = solid.settings(obj) if obj is not None else solid.DEFAULTS
+        values = solid.settings(obj) if obj is not None else solid.first_settings(source)
         if path:
             head = translate("SweptVolume", "Export envelope"), "SweptVolume_Export"
         else:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid/assemble/sweep_deviation.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -19,6 +20,9 @@ constexpr std::size_t kMaxExamined = 200000;
 constexpr std::size_t kFirstExamined = 64, kExaminedAtOnce = 4096;
 /// If more of the mesh lies elsewhere, it belongs to another motion.
 constexpr double kMaxFraction = 0.1;
+/// Triangles of a solid deviate from it by a tenth of a cell, unless the user chooses otherwise. So
+/// this suffices for grids of 25 cells and more.
+constexpr double kCoarseMesh = 1.0 / 250;
 constexpr std::size_t kBlock = 256;
 
 struct FootPoint {
@@ -73,17 +77,23 @@ void examine(FootPoint& foot, const Vector3d& point, const SweptInterior& sweep,
 
 }  // namespace
 
-double sweepDeviation(const TriMesh& solid, const std::vector<Vector3d>& points,
-                      const SweptInterior& sweep, double accuracy, double tolerance) {
+double farthestMesh(const std::vector<Vector3d>& points, double tolerance) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& p : points) box.extend(p);
+  return std::max(tolerance, kCoarseMesh * box.diagonal().norm());
+}
+
+SweepDeviation sweepDeviation(const TriMesh& solid, const std::vector<Vector3d>& points,
+                              const SweptInterior& sweep, double accuracy, double tolerance) {
+  if (points.empty()) return {};
   std::vector<FootPoint> feet = feetOf(points, solid);
   std::sort(feet.begin(), feet.end(), [](const FootPoint& a, const FootPoint& b) {
     return a.distance != b.distance ? a.distance > b.distance : a.point < b.point;
   });
-  const auto far = std::partition_point(
-      feet.begin(), feet.end(), [&](const FootPoint& foot) { return foot.distance > tolerance; });
-  const auto fraction = static_cast<std::size_t>(kMaxFraction * static_cast<double>(feet.size()));
-  const bool isElsewhere = far - feet.begin() > static_cast<std::ptrdiff_t>(fraction);
-  const std::size_t most = std::min(feet.size(), isElsewhere ? fraction : kMaxExamined);
+  const auto tenth = static_cast<std::size_t>(kMaxFraction * static_cast<double>(feet.size()));
+  const double meshError = feet[tenth].distance;
+  if (meshError > farthestMesh(points, tolerance)) return {feet.front().distance, meshError};
+  const std::size_t most = std::min(feet.size(), kMaxExamined);
   double examinedLargest = 0;
   std::size_t begin = 0, count = kFirstExamined;
   while (begin < most && feet[begin].distance > examinedLargest) {
@@ -97,7 +107,8 @@ double sweepDeviation(const TriMesh& solid, const std::vector<Vector3d>& points,
     });
     for (; begin < end; ++begin) examinedLargest = std::max(examinedLargest, feet[begin].distance);
   }
-  return begin < feet.size() ? std::max(examinedLargest, feet[begin].distance) : examinedLargest;
+  const double rest = begin < feet.size() ? feet[begin].distance : 0;
+  return {std::max(examinedLargest, rest), meshError};
 }
 
 std::vector<FarFoot> feetBeyond(const TriMesh& solid, const std::vector<Vector3d>& points,

@@ -18,12 +18,20 @@
 
 namespace swept::step {
 
-/// Returns the largest deviation found. `solid`: triangles of its faces. `points`: on or near the
-/// surface of the swept volume, such as the vertices of its mesh. `accuracy`: the smallest radius
-/// that is tried. If more than a tenth of the points are farther off than the tolerance, the result
-/// is larger than it.
-double sweepDeviation(const TriMesh& solid, const std::vector<Eigen::Vector3d>& points,
-                      const SweptInterior& sweep, double accuracy, double tolerance);
+/// Returns how far (mm) most points of a mesh may lie off a solid. If they lie farther off, the
+/// mesh belongs to another motion. `points`: of the mesh. It is at least the tolerance.
+double farthestMesh(const std::vector<Eigen::Vector3d>& points, double tolerance);
+
+struct SweepDeviation {
+  double largest = 0;    ///< mm
+  double meshError = 0;  ///< mm: nine tenths of the points are this near to the solid, or nearer
+};
+
+/// `solid`: triangles of its faces. `points`: on or near the surface of the swept volume, such as
+/// the vertices of its mesh. `accuracy`: the smallest radius that is tried. If more than a tenth of
+/// the points are farther off than farthestMesh(), they count with their own distances.
+SweepDeviation sweepDeviation(const TriMesh& solid, const std::vector<Eigen::Vector3d>& points,
+                              const SweptInterior& sweep, double accuracy, double tolerance);
 
 struct FarFoot {
   Eigen::Vector3d point;  ///< on the solid

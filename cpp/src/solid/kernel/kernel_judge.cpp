@@ -123,8 +123,8 @@ class KernelJudge : public Judge {
     const SweptFaces faces = sweptFaces(*origin.shape, origin.trajectory, *sides_, scope.Next());
     run.checkpoint(Phase::Export);
     if (faces.faces.empty()) return std::nullopt;
-    AssembledSweep assembled =
-        assembleSweep(faces, *sides_, mesh.volume, mesh.area * options.tolerance, scope.Next(4));
+    const double accuracy = mesh.area * farthestMesh(mesh.points, options.tolerance);
+    AssembledSweep assembled = assembleSweep(faces, *sides_, mesh.volume, accuracy, scope.Next(4));
     run.checkpoint(Phase::Export);
     parts_ = std::move(assembled.parts);
     if (assembled.shape.IsNull()) return std::nullopt;
@@ -133,9 +133,8 @@ class KernelJudge : public Judge {
     Assembly assembly = writeAndRead(assembled.shape, options, triangles, run);
     // The kernel's test takes minutes for faces that are nearly tangent.
     if (!assembled.isCertain && doesIntersectItself(readBack_, scope.Next(2))) return std::nullopt;
-    assembly.deviation =
-        std::max(assembled.filled, sweepDeviation(triangles, mesh.points, sides_->interior(),
-                                                  sides_->detail(), options.tolerance));
+    setDeviation(assembly, triangles, mesh, options);
+    assembly.deviation = std::max(assembly.deviation, assembled.filled);
     return assembly;
   }
   std::optional<Assembly> fill(const SolidOptions& options, std::int64_t mostFaces,
@@ -153,8 +152,7 @@ class KernelJudge : public Judge {
       Assembly assembly = writeAndRead(filled.shape, options, triangles, run);
       countAsFacets(surfaceKindName(CarrierKind::Plane), filled.planes, assembly);
       countAsFacets(kSheetName, filled.cones, assembly);
-      assembly.deviation = sweepDeviation(triangles, mesh.points, sides_->interior(),
-                                          sides_->detail(), options.tolerance);
+      setDeviation(assembly, triangles, mesh, options);
       wrong = assembly.check.valid ? std::vector<Eigen::Vector3d>() : pointsOnInvalid(run);
       if (wrong.empty() && assembly.deviation <= options.tolerance) return assembly;
       for (const FarFoot& foot : feetBeyond(triangles, mesh.points, sides_->interior(),
@@ -217,6 +215,14 @@ class KernelJudge : public Judge {
     triangles = trianglesWithin(readBack_, deflection);
     for (const TopoDS_Face& face : facesIn(readBack_)) ++assembly.facesByKind[kindOf(face)];
     return assembly;
+  }
+  // `triangles`: of the faces that were read back.
+  void setDeviation(Assembly& assembly, const TriMesh& triangles, const HalfEdgeMesh& mesh,
+                    const SolidOptions& options) const {
+    const SweepDeviation found = sweepDeviation(triangles, mesh.points, sides_->interior(),
+                                                sides_->detail(), options.tolerance);
+    assembly.deviation = found.largest;
+    assembly.meshError = found.meshError;
   }
   // Returns a point on each face that is not valid after it was read back.
   std::vector<Eigen::Vector3d> pointsOnInvalid(RunContext& run) const {

@@ -29,6 +29,7 @@ struct Assembly {
   std::map<std::string, std::int64_t> facesByKind;
   SolidCheck check;      ///< of the STEP file, read back
   double deviation = 0;  ///< mm, from the swept volume (assemble/sweep_deviation.h)
+  double meshError = 0;  ///< mm, of most of the mesh: how far it lies off the solid
 };
 
 class Judge {
