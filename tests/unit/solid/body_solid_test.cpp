@@ -336,6 +336,27 @@ TEST_F(BodySolid, ARingThatTurnsWhileItMoves) {
   EXPECT_LE(judged_.faces, 20);
 }
 
+// It touches the envelope along two whole circles, and other contact curves cross them.
+TEST_F(BodySolid, ARingThatMovesAcrossItsAxis) {
+  const std::string file = folder_.file("ring.brep");
+  writeRing(9, 3, file);
+  readBodyFrom(file);
+  for (const Vector3d& travel : {Vector3d(20, 0, 0), Vector3d(12, 16, 0)}) {
+    sweep({{0, 0, 0}, travel}, none_);
+    const WrittenSolid report = write(optionsWithOrigin());
+    EXPECT_EQ(kinds_["facet"], 0);
+    EXPECT_EQ(kinds_["torus"], 4);
+    EXPECT_LE(judged_.faces, 12);
+    EXPECT_LE(report.deviation, 2e-3);
+    EXPECT_LE(report.edgeTolerance, 1e-6);
+    EXPECT_TRUE(judged_.valid);
+    EXPECT_LE(judged_.blockError, 1e-6);
+    // The curve in which the inner surfaces meet is 1e-7 mm off one of them.
+    EXPECT_EQ(judged_.faults.count("SelfIntersect"), 0u);
+    EXPECT_LE(judged_.faults.size(), 1u);
+  }
+}
+
 // The wall is neither a plane nor a surface of revolution: what it grazes becomes facets.
 TEST_F(BodySolid, OtherSurfacesOfATurningBodyLeaveFacets) {
   const std::string file = folder_.file("rod.brep");

@@ -10,6 +10,7 @@
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Curve.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <Precision.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <algorithm>
@@ -44,9 +45,14 @@ class ContactTracer {
     BRepTools::UVBounds(face, u0, u1, v0, v1);
     u_ = breaksOf({u0, u1}, true);
     v_ = breaksOf({v0, v1}, false);
+    findCircles();
   }
 
   std::vector<TopoDS_Edge> trace() {
+    for (const double v : circles_) {
+      const Handle(Geom_ToroidalSurface) torus = new Geom_ToroidalSurface(surface_.Torus());
+      add(BRepBuilderAPI_MakeEdge(torus->VIso(v), u_.front(), u_.back()));
+    }
     for (std::size_t i = 0; i + 1 < u_.size(); ++i) {
       for (std::size_t j = 0; j + 1 < v_.size(); ++j)
         traceSmooth({u_[i], u_[i + 1]}, {v_[j], v_[j + 1]});
@@ -92,7 +98,34 @@ class ContactTracer {
     return breaks;
   }
 
+  // A torus that moves across its axis touches the envelope along both circles at which its normal
+  // is parallel to the axis. The other contact curves cross them.
+  void findCircles() {
+    constexpr double kContact = 1e-9;
+    constexpr int kSamples = 16;
+    if (surface_.GetType() != GeomAbs_Torus) return;
+    const Parameters u{u_.front(), u_.back()};
+    for (int i = -7; i <= 7; i += 2) {
+      const double v = i * M_PI / 2;
+      bool isContact = v > v_.front() && v < v_.back();
+      for (int k = 0; k <= kSamples && isContact; ++k)
+        isContact = std::abs(sine({u.at(k / double(kSamples)), v})) < kContact;
+      if (isContact) circles_.push_back(v);
+    }
+  }
+
   gp_Pnt at(const gp_Pnt2d& p) const { return surface_.Value(p.X(), p.Y()); }
+
+  // Returns a value that is zero on the other contact curves, and changes its sign there only.
+  double contact(gp_Pnt2d p) const {
+    constexpr double kNear = 1e-4;  // rad: nearer to a circle, the quotient is nearly constant
+    double divisor = 1;
+    for (const double v : circles_) {
+      if (std::abs(p.Y() - v) < kNear) p.SetY(v + kNear);
+      divisor *= p.Y() - v;
+    }
+    return sine(p) / divisor;
+  }
 
   // Returns the sine of the angle between velocity and face.
   double sine(const gp_Pnt2d& p) const {
@@ -107,12 +140,12 @@ class ContactTracer {
   // Returns the contact on the segment from a to b, at whose ends n.v has different signs.
   gp_Pnt2d root(const gp_Pnt2d& a, const gp_Pnt2d& b) const {
     const auto between = [&](double t) { return gp_Pnt2d(a.XY() + t * (b.XY() - a.XY())); };
-    double low = 0, high = 1, atLow = sine(a), atHigh = sine(b);
+    double low = 0, high = 1, atLow = contact(a), atHigh = contact(b);
     for (int i = 0; i < 80 && high - low > 1e-15; ++i) {
       // False position; every third step halves the range.
       double t = i % 3 == 2 ? (low + high) / 2 : low + (high - low) * atLow / (atLow - atHigh);
       if (!(t > low && t < high)) t = (low + high) / 2;
-      const double value = sine(between(t));
+      const double value = contact(between(t));
       if (value == 0) return between(t);
       if ((value > 0) == (atLow > 0)) {
         low = t, atLow = value;
@@ -126,15 +159,17 @@ class ContactTracer {
   void traceSmooth(Parameters u, Parameters v) {
     const std::size_t pieces = (u_.size() - 1) * (v_.size() - 1);
     const int n = pieces <= 4 ? 32 : pieces <= 64 ? 16 : 8;
-    const auto node = [&](int i, int j) {
-      return gp_Pnt2d(u.at(i / double(n)), v.at(j / double(n)));
-    };
+    // Along axes, curves that cross circles would run through nodes of an even grid. There,
+    // rounding errors decide about signs.
+    const double shift = circles_.empty() ? 0 : 0.137;
+    const auto fraction = [&](int i) { return i == 0 || i == n ? i / double(n) : (i + shift) / n; };
+    const auto node = [&](int i, int j) { return gp_Pnt2d(u.at(fraction(i)), v.at(fraction(j))); };
     std::vector<double> values((n + 1) * (n + 1));
     double largest = 0;
     for (int i = 0; i <= n; ++i) {
       for (int j = 0; j <= n; ++j) {
-        const double value = values[i * (n + 1) + j] = sine(node(i, j));
-        largest = std::max(largest, std::abs(value));
+        values[i * (n + 1) + j] = contact(node(i, j));
+        largest = std::max(largest, std::abs(sine(node(i, j))));
       }
     }
     if (largest < kSliding) return;
@@ -162,7 +197,7 @@ class ContactTracer {
         if (found.size() == 2) link(found[0], found[1]);
         if (found.size() != 4) continue;
         const gp_Pnt2d centre((node(i, j).XY() + node(i + 1, j + 1).XY()) / 2);
-        const bool joined = (sine(centre) >= 0) == corner;
+        const bool joined = (contact(centre) >= 0) == corner;
         link(found[0], found[joined ? 1 : 3]);
         link(found[2], found[joined ? 3 : 1]);
       }
@@ -306,11 +341,11 @@ class ContactTracer {
     gp_Pnt point;
     gp_Vec alongU, alongV;
     surface_.D1(p.X(), p.Y(), point, alongU, alongV);
-    // The contact curve is a level line of the sine: perpendicular to its slope.
+    // The contact curve is a level line of contact(): perpendicular to its slope.
     const double hu = 1e-5 / std::max(alongU.Magnitude(), 1e-9);
     const double hv = 1e-5 / std::max(alongV.Magnitude(), 1e-9);
-    const double slopeU = (sine({p.X() + hu, p.Y()}) - sine({p.X() - hu, p.Y()})) / hu;
-    const double slopeV = (sine({p.X(), p.Y() + hv}) - sine({p.X(), p.Y() - hv})) / hv;
+    const double slopeU = (contact({p.X() + hu, p.Y()}) - contact({p.X() - hu, p.Y()})) / hu;
+    const double slopeV = (contact({p.X(), p.Y() + hv}) - contact({p.X(), p.Y() - hv})) / hv;
     gp_Vec result = alongU * -slopeV + alongV * slopeU;
     const gp_Vec along = alongU * direction.X() + alongV * direction.Y();
     if (result.Magnitude() < gp::Resolution()) result = along;
@@ -330,7 +365,7 @@ class ContactTracer {
     const gp_Vec2d across(-(b.Y() - a.Y()) * perV / perU, (b.X() - a.X()) * perU / perV);
     for (const double reach : {0.5, 2.0}) {
       const gp_Pnt2d low = m.Translated(across * -reach), high = m.Translated(across * reach);
-      if ((sine(low) > 0) != (sine(high) > 0)) return root(low, high);
+      if ((contact(low) > 0) != (contact(high) > 0)) return root(low, high);
     }
     return std::nullopt;
   }
@@ -380,6 +415,7 @@ class ContactTracer {
   const BRepAdaptor_Surface surface_;
   const Velocity& velocity_;
   std::vector<double> u_, v_;
+  std::vector<double> circles_;  // of a torus: contact curves at a parameter v
   std::vector<TopoDS_Edge> edges_;
 };
 
