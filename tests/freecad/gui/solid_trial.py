@@ -44,6 +44,8 @@ def figures(text):
 
 
 def scenario():
+    import MeshPart
+    import Part
     from sweptvolume import core, runner
     from sweptvolume.features import envelope, motion
     from sweptvolume.panels import file_dialogs
@@ -51,7 +53,10 @@ def scenario():
     open_workbench()
     yield
     doc = new_document("Trial")
-    part = doc.addObject("Part::Torus", "Ring")
+    # As a mesh: from a CAD part, each trial would take a minute.
+    part = doc.addObject("Mesh::Feature", "Ring")
+    ring = Part.makeTorus(10, 2)
+    part.Mesh = MeshPart.meshFromShape(Shape=ring, LinearDeflection=0.05, AngularDeflection=0.2)
     places = [
         App.Placement(),
         App.Placement(V(20, 3, 6), App.Rotation(V(3, 5, 8), 25)),
