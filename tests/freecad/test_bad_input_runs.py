@@ -238,8 +238,8 @@ with tempfile.TemporaryDirectory() as folder:
         obj = self.envelope([self.box()], path)
         envelope.compute(obj)
         target = os.path.join(self.folder, "o.step")
-        request = solid.request_for(obj, max_faces=20, tolerance=0.001)
-        with self.assertRaisesRegex(core.CoreError, r"faces.* 20 faces.*STL"):
+        request = solid.request_for(obj, max_faces=5, tolerance=0.001)
+        with self.assertRaisesRegex(core.CoreError, r"faces.* 5 faces.*STL"):
             export.write(request, target)
         self.assertEqual(os.listdir(self.folder), [])
 

@@ -151,7 +151,8 @@ class Edges(Case):
     def test_a_solid_that_was_simplified_by_itself_says_so(self):
         ball = self.doc.addObject("Part::Sphere", "Ball")
         path = motion.motion_from_poses(self.doc, [0, 1], [shift(), shift(10)])
-        obj = self.envelope([ball], path, Resolution=24)
+        # With an offset, the solid is made from the mesh, not from the faces of the ball.
+        obj = self.envelope([ball], path, Resolution=24, Offset=1)
         envelope.compute(obj)
         body = solid.make_solid(self.doc, obj, MaxFaces=200)
         self.doc.recompute()
