@@ -49,10 +49,6 @@ class ContactTracer {
   }
 
   std::vector<TopoDS_Edge> trace() {
-    for (const double v : circles_) {
-      const Handle(Geom_ToroidalSurface) torus = new Geom_ToroidalSurface(surface_.Torus());
-      add(BRepBuilderAPI_MakeEdge(torus->VIso(v), u_.front(), u_.back()));
-    }
     for (std::size_t i = 0; i + 1 < u_.size(); ++i) {
       for (std::size_t j = 0; j + 1 < v_.size(); ++j)
         traceSmooth({u_[i], u_[i + 1]}, {v_[j], v_[j + 1]});
@@ -101,7 +97,7 @@ class ContactTracer {
   // A torus that moves across its axis touches the envelope along both circles at which its normal
   // is parallel to the axis. The other contact curves cross them.
   void findCircles() {
-    constexpr double kContact = 1e-9;
+    constexpr double kContact = 1e-9;  // of the sine
     constexpr int kSamples = 16;
     if (surface_.GetType() != GeomAbs_Torus) return;
     const Parameters u{u_.front(), u_.back()};
@@ -116,7 +112,8 @@ class ContactTracer {
 
   gp_Pnt at(const gp_Pnt2d& p) const { return surface_.Value(p.X(), p.Y()); }
 
-  // Returns a value that is zero on the other contact curves, and changes its sign there only.
+  // Returns the sine, divided by what makes it zero on the circles: it changes its sign only on the
+  // other contact curves.
   double contact(gp_Pnt2d p) const {
     constexpr double kNear = 1e-4;  // rad: nearer to a circle, the quotient is nearly constant
     double divisor = 1;
@@ -159,8 +156,8 @@ class ContactTracer {
   void traceSmooth(Parameters u, Parameters v) {
     const std::size_t pieces = (u_.size() - 1) * (v_.size() - 1);
     const int n = pieces <= 4 ? 32 : pieces <= 64 ? 16 : 8;
-    // Along axes, curves that cross circles would run through nodes of an even grid. There,
-    // rounding errors decide about signs.
+    // If a torus moves along an axis, the curves that cross the circles would run through nodes of
+    // an even grid. Rounding errors would decide about the signs there.
     const double shift = circles_.empty() ? 0 : 0.137;
     const auto fraction = [&](int i) { return i == 0 || i == n ? i / double(n) : (i + shift) / n; };
     const auto node = [&](int i, int j) { return gp_Pnt2d(u.at(fraction(i)), v.at(fraction(j))); };
@@ -168,11 +165,15 @@ class ContactTracer {
     double largest = 0;
     for (int i = 0; i <= n; ++i) {
       for (int j = 0; j <= n; ++j) {
-        values[i * (n + 1) + j] = contact(node(i, j));
-        largest = std::max(largest, std::abs(sine(node(i, j))));
+        const double value = values[i * (n + 1) + j] = contact(node(i, j));
+        largest = std::max(largest, std::abs(value));
       }
     }
     if (largest < kSliding) return;
+    for (const double circle : circles_) {
+      const Handle(Geom_ToroidalSurface) torus = new Geom_ToroidalSurface(surface_.Torus());
+      add(BRepBuilderAPI_MakeEdge(torus->VIso(circle), u.from, u.to));
+    }
     const auto isOutward = [&](int i, int j) { return values[i * (n + 1) + j] >= 0; };
     std::map<GridEdge, gp_Pnt2d> points;
     std::map<GridEdge, std::vector<GridEdge>> next;
@@ -415,7 +416,7 @@ class ContactTracer {
   const BRepAdaptor_Surface surface_;
   const Velocity& velocity_;
   std::vector<double> u_, v_;
-  std::vector<double> circles_;  // of a torus: contact curves at a parameter v
+  std::vector<double> circles_;  // of a torus: the parameters v of circles that touch the envelope
   std::vector<TopoDS_Edge> edges_;
 };
 

@@ -18,8 +18,9 @@
 
 namespace swept::step {
 
-/// Returns how far (mm) most points of a mesh may lie off a solid. If they lie farther off, the
-/// mesh belongs to another motion. `points`: of the mesh. It is at least the tolerance.
+/// Returns how far (mm) nine tenths of the points of a mesh may lie off a solid: the tolerance, or
+/// 1/250 of the diagonal of the mesh if that is more. A mesh that lies farther off belongs to
+/// another motion.
 double farthestMesh(const std::vector<Eigen::Vector3d>& points, double tolerance);
 
 struct SweepDeviation {
